@@ -1,0 +1,1 @@
+//! Rust structs whose bytes are WGSL bytes, checked against naga's `Layouter`.

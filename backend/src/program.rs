@@ -1,0 +1,237 @@
+//! link → parse → validate → lint → reflect: one [`naga::Module`] for every backend.
+
+use std::sync::Arc;
+
+use codespan_reporting::diagnostic::{Diagnostic, Label};
+use codespan_reporting::files::SimpleFiles;
+use codespan_reporting::term;
+use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use crate::error::{ErrorKind, Location};
+use crate::{Define, Linked, Result, Sources, lint};
+
+/// How a kernel uses a binding.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Access {
+    /// `var<uniform>`.
+    Uniform,
+    /// `var<storage, read>`.
+    Read,
+    /// `var<storage, read_write>`.
+    ReadWrite,
+}
+
+/// A buffer binding of a program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Binding {
+    /// Name of the variable.
+    pub name: String,
+    /// `@group`.
+    pub group: u32,
+    /// `@binding`.
+    pub binding: u32,
+    /// How it is used.
+    pub access: Access,
+    /// Smallest size in bytes that may be bound.
+    pub min_size: u64,
+}
+
+/// An entry point of a program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// Name.
+    pub name: String,
+    /// `@workgroup_size` where no override sets it.
+    pub workgroup_size: [u32; 3],
+    /// Indices into [`Program::bindings`] of what it uses, sorted by group and binding.
+    pub bindings: Vec<usize>,
+}
+
+/// A linked, validated and linted program.
+#[derive(Debug)]
+pub struct Program {
+    label: String,
+    id: String,
+    linked: Linked,
+    lint: bool,
+    module: naga::Module,
+    info: ModuleInfo,
+    bindings: Vec<Binding>,
+    entries: Vec<Entry>,
+}
+
+impl Program {
+    /// Links `root` and compiles it under the portability lints.
+    pub fn new(label: &str, root: &str, sources: &Sources, defines: &[Define]) -> Result<Arc<Self>> {
+        Self::compile(label, Linked::link(root, sources, defines)?, true).map(Arc::new)
+    }
+
+    /// Compiles any WGSL, without the lints: kernels that do not promise the numerics contract.
+    pub fn unlinted(label: &str, linked: Linked) -> Result<Arc<Self>> {
+        Self::compile(label, linked, false).map(Arc::new)
+    }
+
+    fn compile(label: &str, linked: Linked, lint: bool) -> Result<Self> {
+        let module = naga::front::wgsl::parse_str(&linked.text).map_err(|e| {
+            let labels = e.labels().map(|(span, text)| (span, text.to_owned())).collect::<Vec<_>>();
+            let notes = e.notes().map(str::to_owned).collect();
+            diagnose(&linked, "parse", e.message(), &labels, notes)
+        })?;
+        let info = Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module).map_err(|e| {
+            let labels = e.spans().cloned().collect::<Vec<_>>();
+            let mut notes = Vec::new();
+            let mut source = std::error::Error::source(e.as_inner());
+            while let Some(next) = source {
+                notes.push(next.to_string());
+                source = next.source();
+            }
+            diagnose(&linked, "validate", &e.as_inner().to_string(), &labels, notes)
+        })?;
+        if lint {
+            lint::check(&module, &info, &linked)?;
+        }
+        let bindings = reflect_bindings(&module);
+        let entries = reflect_entries(&module, &info, &bindings);
+        let id = blake3::hash(linked.text.as_bytes()).to_hex()[..16].to_owned();
+        Ok(Program { label: label.to_owned(), id, linked, lint, module, info, bindings, entries })
+    }
+
+    /// Name for people.
+    pub fn label(&self) -> &str {
+        &self.label
+    }
+
+    /// Hash of the linked text: two programs with one id are the same program.
+    pub fn id(&self) -> &str {
+        &self.id
+    }
+
+    /// The text and its map.
+    pub fn linked(&self) -> &Linked {
+        &self.linked
+    }
+
+    /// The one module that all backends run.
+    pub fn module(&self) -> &naga::Module {
+        &self.module
+    }
+
+    /// What the validator found out about [`Program::module`].
+    pub fn info(&self) -> &ModuleInfo {
+        &self.info
+    }
+
+    /// All buffer bindings.
+    pub fn bindings(&self) -> &[Binding] {
+        &self.bindings
+    }
+
+    /// All entry points.
+    pub fn entries(&self) -> &[Entry] {
+        &self.entries
+    }
+
+    /// An entry point by name.
+    pub fn entry(&self, name: &str) -> Option<&Entry> {
+        self.entries.iter().find(|e| e.name == name)
+    }
+
+    /// The author's place of a span.
+    pub fn locate(&self, span: naga::Span) -> Option<Location> {
+        self.linked.locate(span.to_range()?.start)
+    }
+}
+
+/// A message about spans of linked text, rendered on the authors' files.
+pub(crate) fn diagnose(
+    linked: &Linked,
+    stage: &'static str,
+    message: &str,
+    labels: &[(naga::Span, String)],
+    notes: Vec<String>,
+) -> ErrorKind {
+    let mut files = SimpleFiles::new();
+    for file in &linked.files {
+        files.add(file.path.clone(), &linked.text[file.start as usize..file.end as usize]);
+    }
+    let mut marks = Vec::new();
+    for (span, text) in labels {
+        let Some(range) = span.to_range() else { continue };
+        let found = linked.files.iter().position(|f| (f.start as usize..=f.end as usize).contains(&range.start));
+        let Some(index) = found else { continue };
+        let start = linked.files[index].start as usize;
+        let end = range.end.min(linked.files[index].end as usize);
+        let label = Label::primary(index, range.start - start..end - start);
+        marks.push(label.with_message(text));
+    }
+    let diagnostic = Diagnostic::error().with_message(message).with_labels(marks).with_notes(notes);
+    let mut rendered = String::new();
+    let config = term::Config::default();
+    if term::emit_to_string(&mut rendered, &config, &files, &diagnostic).is_err() {
+        rendered = format!("error: {message}\n");
+    }
+    let location = labels.iter().find_map(|(span, _)| linked.locate(span.to_range()?.start));
+    ErrorKind::Wgsl { stage, location, rendered }
+}
+
+fn reflect_bindings(module: &naga::Module) -> Vec<Binding> {
+    let mut layouter = naga::proc::Layouter::default();
+    let known = layouter.update(module.to_ctx()).is_ok();
+    let mut bindings = Vec::new();
+    for (_, global) in module.global_variables.iter() {
+        let Some(resource) = global.binding else { continue };
+        let access = match global.space {
+            naga::AddressSpace::Uniform => Access::Uniform,
+            naga::AddressSpace::Storage { access } if access.contains(naga::StorageAccess::STORE) => Access::ReadWrite,
+            naga::AddressSpace::Storage { .. } => Access::Read,
+            _ => continue,
+        };
+        bindings.push(Binding {
+            name: global.name.clone().unwrap_or_default(),
+            group: resource.group,
+            binding: resource.binding,
+            access,
+            min_size: if known { u64::from(layouter[global.ty].size) } else { 0 },
+        });
+    }
+    bindings
+}
+
+fn reflect_entries(module: &naga::Module, info: &ModuleInfo, bindings: &[Binding]) -> Vec<Entry> {
+    let mut entries = Vec::new();
+    for (index, entry) in module.entry_points.iter().enumerate() {
+        let uses = info.get_entry_point(index);
+        let mut used = Vec::new();
+        for (handle, global) in module.global_variables.iter() {
+            let Some(resource) = global.binding else { continue };
+            if uses[handle].is_empty() {
+                continue;
+            }
+            used.extend(bindings.iter().position(|b| (b.group, b.binding) == (resource.group, resource.binding)));
+        }
+        used.sort_by_key(|&i| (bindings[i].group, bindings[i].binding));
+        entries.push(Entry { name: entry.name.clone(), workgroup_size: entry.workgroup_size, bindings: used });
+    }
+    entries
+}
+
+#[derive(Serialize, Deserialize)]
+struct Stored {
+    label: String,
+    linked: Linked,
+    lint: bool,
+}
+
+impl Serialize for Program {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        Stored { label: self.label.clone(), linked: self.linked.clone(), lint: self.lint }.serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for Program {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let stored = Stored::deserialize(deserializer)?;
+        Program::compile(&stored.label, stored.linked, stored.lint).map_err(serde::de::Error::custom)
+    }
+}
