@@ -1,0 +1,250 @@
+//! A session: buffers on the device, and the running of recordings.
+//!
+//! A recording is one submission. Uploads go through a staging buffer that is filled before and copied in the recording's
+//! order, so a later command sees them and an earlier one does not. A recording that uploads more than [`CHUNK`] bytes
+//! becomes several submissions in sequence, which bounds the staging memory; nothing else observes the difference.
+
+use std::collections::HashMap;
+use std::num::NonZeroU64;
+use std::sync::Arc;
+
+use sightlines_backend::{
+    BufferDesc, BufferId, Command, Dispatch, Error, Groups, Program, ProgramId, Read, Recording, Result, Session, Slot,
+};
+use wgpu::{BindGroup, BindGroupEntry, Buffer, BufferBinding, BufferUsages, CommandEncoder, ComputePass};
+
+use crate::device::Device;
+use crate::pipeline::{Pipeline, Pipelines};
+use crate::readback::{self, CHUNK};
+
+/// Layout (pipeline and group) and the ranges bound: binding, buffer, offset, size.
+type GroupKey = (usize, u32, Vec<(u32, u32, u64, u64)>);
+
+/// Memory and programs of one job.
+#[derive(Debug)]
+pub(crate) struct WgpuSession<'a> {
+    device: &'a Device,
+    pipelines: &'a Pipelines,
+    programs: Vec<Arc<Program>>,
+    buffers: Vec<Buffer>,
+    groups: HashMap<GroupKey, BindGroup>,
+}
+
+impl<'a> WgpuSession<'a> {
+    /// Hands the programs to the device and allocates the buffers; wgpu fills them with zeros.
+    pub(crate) fn open(
+        device: &'a Device,
+        pipelines: &'a Pipelines,
+        programs: &[Arc<Program>],
+        buffers: &[BufferDesc],
+    ) -> Result<Self> {
+        for program in programs {
+            pipelines.module(device, program)?;
+        }
+        let buffers = buffers.iter().map(|desc| allocate(device, desc)).collect::<Result<_>>()?;
+        Ok(WgpuSession { device, pipelines, programs: programs.to_vec(), buffers, groups: HashMap::new() })
+    }
+
+    fn buffer(&self, id: BufferId) -> Result<&Buffer> {
+        self.buffers.get(id.0 as usize).ok_or_else(|| unknown("buffer", id.0))
+    }
+
+    fn program(&self, id: ProgramId) -> Result<&Arc<Program>> {
+        self.programs.get(id.0 as usize).ok_or_else(|| unknown("program", id.0))
+    }
+
+    fn encode(&mut self, steps: &[Step<'_>], staging: Option<&Buffer>, encoder: &mut CommandEncoder) -> Result<()> {
+        let mut staged = 0;
+        for run in steps.chunk_by(|a, b| a.dispatch().is_some() && b.dispatch().is_some()) {
+            if run[0].dispatch().is_some() {
+                let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+                run.iter().filter_map(Step::dispatch).try_for_each(|dispatch| self.dispatch(dispatch, &mut pass))?;
+            } else if let Step::Upload { buffer, offset, bytes } = &run[0] {
+                let size = bytes.len() as u64;
+                if let Some(staging) = staging {
+                    encoder.copy_buffer_to_buffer(staging, staged, self.buffer(*buffer)?, *offset, size);
+                }
+                staged += size;
+            } else {
+                self.transfer(&run[0], encoder)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn transfer(&self, step: &Step<'_>, encoder: &mut CommandEncoder) -> Result<()> {
+        match *step {
+            Step::Command(&Command::Clear { buffer, offset, size }) if size > 0 => {
+                encoder.clear_buffer(self.buffer(buffer)?, offset, Some(size));
+            }
+            Step::Command(&Command::Copy { from, from_offset, to, to_offset, size }) if size > 0 => {
+                encoder.copy_buffer_to_buffer(self.buffer(from)?, from_offset, self.buffer(to)?, to_offset, size);
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn dispatch(&mut self, dispatch: &Dispatch, pass: &mut ComputePass<'_>) -> Result<()> {
+        let program = Arc::clone(self.program(dispatch.program)?);
+        let pipeline = self.pipelines.pipeline(self.device, &program, dispatch)?;
+        pass.set_pipeline(&pipeline.raw);
+        for &group in pipeline.layouts.keys() {
+            pass.set_bind_group(group, self.bind(&pipeline, group, &dispatch.slots)?, &[]);
+        }
+        match dispatch.groups {
+            Groups::Direct(groups) if groups.contains(&0) => {}
+            Groups::Direct([x, y, z]) => pass.dispatch_workgroups(x, y, z),
+            Groups::Indirect { buffer, offset } => pass.dispatch_workgroups_indirect(self.buffer(buffer)?, offset),
+        }
+        Ok(())
+    }
+
+    /// The bind group of some slots, made once.
+    fn bind(&mut self, pipeline: &Pipeline, group: u32, slots: &[Slot]) -> Result<&BindGroup> {
+        let slots = slots.iter().filter(|slot| slot.group == group).collect::<Vec<_>>();
+        let ranges = slots.iter().map(|s| (s.binding, s.buffer.0, s.offset, s.size)).collect();
+        let key = (pipeline.id, group, ranges);
+        if !self.groups.contains_key(&key) {
+            let entries = slots.iter().map(|slot| self.entry(slot)).collect::<Result<Vec<_>>>()?;
+            let made = self.device.raw().create_bind_group(&wgpu::BindGroupDescriptor {
+                label: None,
+                layout: &pipeline.layouts[&group],
+                entries: &entries,
+            });
+            self.groups.insert(key.clone(), made);
+        }
+        Ok(&self.groups[&key])
+    }
+
+    fn entry(&self, slot: &Slot) -> Result<BindGroupEntry<'_>> {
+        let size = NonZeroU64::new(slot.size).ok_or_else(|| {
+            let what = format!("@group({}) @binding({}) is bound to no bytes", slot.group, slot.binding);
+            Error::refused(what, "bind at least one element, or leave out the dispatch")
+        })?;
+        let range = BufferBinding { buffer: self.buffer(slot.buffer)?, offset: slot.offset, size: Some(size) };
+        Ok(BindGroupEntry { binding: slot.binding, resource: wgpu::BindingResource::Buffer(range) })
+    }
+}
+
+impl Session for WgpuSession<'_> {
+    fn submit(&mut self, recording: &Recording) -> Result<()> {
+        let device = self.device;
+        batches(recording).iter().try_for_each(|steps| {
+            device.run(|encoder| {
+                let staging = stage(device, steps)?;
+                self.encode(steps, staging.as_ref(), encoder)
+            })
+        })
+    }
+
+    fn read(&mut self, read: &Read) -> Result<Vec<u8>> {
+        readback::read(self.device, self.buffer(read.buffer)?, read.offset, read.size)
+    }
+}
+
+/// A command, or a part of a large upload.
+#[derive(Debug)]
+enum Step<'a> {
+    Upload { buffer: BufferId, offset: u64, bytes: &'a [u8] },
+    Command(&'a Command),
+}
+
+impl<'a> Step<'a> {
+    fn dispatch(&self) -> Option<&'a Dispatch> {
+        match self {
+            Step::Command(Command::Dispatch(dispatch)) => Some(dispatch),
+            _ => None,
+        }
+    }
+
+    fn upload(&self) -> &'a [u8] {
+        match self {
+            Step::Upload { bytes, .. } => bytes,
+            Step::Command(_) => &[],
+        }
+    }
+}
+
+/// The recording cut into submissions that upload at most [`CHUNK`] bytes each.
+fn batches(recording: &Recording) -> Vec<Vec<Step<'_>>> {
+    let mut steps = Vec::new();
+    for command in &recording.commands {
+        match command {
+            Command::Upload { buffer, offset, bytes } => {
+                let parts = bytes.chunks(CHUNK as usize).enumerate();
+                steps.extend(parts.map(|(i, bytes)| Step::Upload {
+                    buffer: *buffer,
+                    offset: offset + i as u64 * CHUNK,
+                    bytes,
+                }));
+            }
+            _ => steps.push(Step::Command(command)),
+        }
+    }
+    let mut batches = vec![Vec::new()];
+    let mut staged = 0;
+    for step in steps {
+        let size = step.upload().len() as u64;
+        if staged + size > CHUNK {
+            batches.push(Vec::new());
+            staged = 0;
+        }
+        staged += size;
+        let last = batches.len() - 1;
+        batches[last].push(step);
+    }
+    batches
+}
+
+/// A buffer with the bytes of all uploads, one after the other.
+fn stage(device: &Device, steps: &[Step<'_>]) -> Result<Option<Buffer>> {
+    let size = steps.iter().map(|step| step.upload().len()).sum::<usize>();
+    if size == 0 {
+        return Ok(None);
+    }
+    let staging = device.raw().create_buffer(&wgpu::BufferDescriptor {
+        label: Some("uploads"),
+        size: size as u64,
+        usage: BufferUsages::COPY_SRC,
+        mapped_at_creation: true,
+    });
+    // Out of memory, the buffer is invalid and cannot be mapped; the scope around the submission then has the reason.
+    let mut view = staging
+        .slice(..)
+        .get_mapped_range_mut()
+        .map_err(|error| sightlines_backend::DeviceError::OutOfMemory(error.to_string()))?;
+    let mut start = 0;
+    for bytes in steps.iter().map(Step::upload) {
+        view.slice(start..start + bytes.len()).copy_from_slice(bytes);
+        start += bytes.len();
+    }
+    drop(view);
+    staging.unmap();
+    Ok(Some(staging))
+}
+
+fn allocate(device: &Device, desc: &BufferDesc) -> Result<Buffer> {
+    let limit = device.raw().limits().max_buffer_size;
+    if desc.size > limit {
+        let what = format!("buffer `{}` has {} bytes, a device's largest has {limit}", desc.label, desc.size);
+        return Err(Error::refused(what, "split it into several buffers"));
+    }
+    device.scoped(|| {
+        Ok(device.raw().create_buffer(&wgpu::BufferDescriptor {
+            label: Some(&desc.label),
+            // Vulkan has no empty buffers.
+            size: desc.size.max(4),
+            usage: BufferUsages::STORAGE
+                | BufferUsages::UNIFORM
+                | BufferUsages::INDIRECT
+                | BufferUsages::COPY_SRC
+                | BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        }))
+    })
+}
+
+fn unknown(what: &str, index: u32) -> Error {
+    Error::refused(format!("there is no {what} {index} in the session"), "use an index into the job's own table")
+}
