@@ -13,15 +13,18 @@
 pub mod backend;
 pub mod check;
 pub mod error;
+mod front;
 pub mod host;
 pub mod kernel;
 pub mod link;
 pub mod lint;
 pub mod program;
 pub mod recording;
+mod text;
 
 pub use backend::{Backend, BackendInfo, Counts, Outputs, Session};
 pub use error::{DeviceError, Error, ErrorKind, Location, Trap, TrapKind};
+pub use front::CompileLimits;
 pub use kernel::{Case, Expected, Kernel, Size};
 pub use link::{Define, File, Linked, Sources};
 pub use program::{Access, Binding, Entry, Program};

@@ -1,14 +1,24 @@
-//! Links WGSL files by `import package::…` lines into one text, with a map back to every author's line.
+//! Links WGSL files into one text, with a map back to every author's line.
 //!
-//! The syntax is WESL's (`import package::shared::exact::umul_wide;` or `…::{umul_wide, add64};`), the semantics are
-//! smaller: a file is included whole, once, before its importer, and nothing is renamed. So every byte of the linked
-//! text is a byte of some file (import lines become comments of equal length), and positions map one to one.
+//! Three lines that are not WGSL's stand before all other items of a file:
+//!
+//! * `import package::shared::exact::umul_wide;` or `import package::shared::exact::{umul_wide, add64};` includes
+//!   `shared/exact.wgsl`. The syntax is WESL's, the semantics are smaller: a file is included whole, once, before its
+//!   importer, and nothing is renamed, so there is no `as`. Named items must exist.
+//! * `require table: array<u32>;` in a shared file says that it uses a module-scope `var`, `const` or `override` of
+//!   that name, which some file of the program must declare. The type is for the reader; the front end checks uses.
+//!
+//! A [`Define`] replaces the initialiser of a module-scope `const` by a literal, which makes a variant of the program.
+//!
+//! Invariant: imports and requirements become blanks of equal length, so each byte of the linked text is a byte of
+//! some file at the same line; columns may move only behind a defined value.
 
 use std::collections::HashSet;
 
 use serde::{Deserialize, Serialize};
 
 use crate::error::{ErrorKind, Location};
+use crate::text::{self, Item, Kind};
 use crate::{Error, Result};
 
 /// Where files come from: package path (`shared/exact.wgsl`) to text.
@@ -19,7 +29,7 @@ pub type Sources = dyn Fn(&str) -> Option<String>;
 pub struct Define {
     /// Name of the `const`.
     pub name: String,
-    /// WGSL text of its value.
+    /// Its value: one WGSL literal.
     pub value: String,
 }
 
@@ -53,14 +63,19 @@ pub struct Linked {
 impl Linked {
     /// Links `root` with everything it imports, then applies `defines`.
     pub fn link(root: &str, sources: &Sources, defines: &[Define]) -> Result<Self> {
-        let mut linker = Linker { sources, defines, used: HashSet::new(), done: HashSet::new(), open: Vec::new() };
-        let mut linked = Linked { text: String::new(), files: Vec::new() };
-        linker.file(root, None, &mut linked)?;
+        for (index, define) in defines.iter().enumerate() {
+            check_define(define, &defines[..index])?;
+        }
+        let linked = Linked { text: String::new(), files: Vec::new() };
+        let (used, done) = (HashSet::new(), HashSet::new());
+        let mut linker = Linker { sources, defines, linked, used, done, open: Vec::new(), required: Vec::new() };
+        linker.file(root, None)?;
+        linker.requirements(root)?;
         if let Some(define) = defines.iter().find(|d| !linker.used.contains(&d.name)) {
             let message = format!("no module-scope `const {}` to define in {root} or its imports", define.name);
             return Err(error(&message, None));
         }
-        Ok(linked)
+        Ok(linker.linked)
     }
 
     /// A single file without imports.
@@ -71,100 +86,218 @@ impl Linked {
 
     /// The author's place of a byte of the linked text.
     pub fn locate(&self, byte: usize) -> Option<Location> {
-        let file = self.files.iter().find(|f| (f.start as usize..=f.end as usize).contains(&byte))?;
+        let file = &self.files[self.file_at(byte)?];
         let before = self.text.get(file.start as usize..byte)?;
         let line = before.bytes().filter(|&b| b == b'\n').count() as u32 + 1;
         let column = (before.len() - before.rfind('\n').map_or(0, |i| i + 1)) as u32 + 1;
         Some(Location { file: file.path.clone(), line, column })
+    }
+
+    /// Index of the file that a byte of the linked text belongs to; the end of the text belongs to the last.
+    pub(crate) fn file_at(&self, byte: usize) -> Option<usize> {
+        let found = self.files.iter().position(|f| (f.start as usize..f.end as usize).contains(&byte));
+        found.or_else(|| self.files.len().checked_sub(1).filter(|_| byte == self.text.len()))
+    }
+
+    /// Whether the files divide the text, which holds after linking but not of any bytes that claim to be a `Linked`.
+    pub(crate) fn is_consistent(&self) -> bool {
+        let mut at = 0;
+        let divide = self.files.iter().all(|file| {
+            let follows = file.start == at && file.end >= file.start;
+            at = file.end;
+            follows && self.text.is_char_boundary(at as usize)
+        });
+        divide && at as usize == self.text.len()
     }
 }
 
 struct Linker<'a> {
     sources: &'a Sources,
     defines: &'a [Define],
+    linked: Linked,
     used: HashSet<String>,
     done: HashSet<String>,
     open: Vec<String>,
+    required: Vec<(String, Location)>,
 }
 
 impl Linker<'_> {
-    fn file(&mut self, path: &str, from: Option<Location>, out: &mut Linked) -> Result<()> {
+    fn file(&mut self, path: &str, from: Option<&Location>) -> Result<()> {
         if self.done.contains(path) {
             return Ok(());
         }
-        if self.open.iter().any(|p| p == path) {
-            return Err(error(&format!("import cycle: {} -> {path}", self.open.join(" -> ")), from));
+        if let Some(first) = self.open.iter().position(|p| p == path) {
+            let cycle = self.open[first..].join(" -> ");
+            return Err(error(&format!("import cycle: {cycle} -> {path}"), from));
         }
-        let text = (self.sources)(path).ok_or_else(|| error(&format!("no file `{path}` in this package"), from))?;
+        if self.open.len() >= MAX_NESTED_IMPORTS {
+            return Err(error(&format!("imports nest deeper than {MAX_NESTED_IMPORTS} files"), from));
+        }
+        let source = self.source(path, from)?;
+        let items = text::items(&source);
         self.open.push(path.to_owned());
-        let mut body = String::with_capacity(text.len());
-        for (index, line) in text.split_inclusive('\n').enumerate() {
-            if line.trim_start().starts_with("import ") {
-                let at = Location { file: path.into(), line: index as u32 + 1, column: 1 };
-                self.import(line, at, out)?;
-                body.push_str("//");
-                body.push_str(line.trim_start_matches(' ').get(2..).unwrap_or("\n"));
-            } else {
-                self.line(line, &mut body);
+        let mut body = source.clone();
+        let mut edits = Vec::new();
+        let mut header = true;
+        for item in &items {
+            let at = place(path, &source, item.range.start);
+            let keyword = &source[item.keyword.clone()];
+            let ours = matches!(keyword, "import" | "require");
+            if ours && !header {
+                return Err(error(&format!("`{keyword}` stands after another item; move it to the top"), Some(&at)));
+            }
+            match keyword {
+                "import" => self.import(&source[item.range.clone()], &at)?,
+                "require" => self.require(&source, item, &at)?,
+                "const" => edits.extend(self.define(&source, item, &at)?),
+                _ => {}
+            }
+            header = ours;
+            if ours {
+                let blank = |c: char| if c == '\n' || c == '\r' { c.to_string() } else { " ".repeat(c.len_utf8()) };
+                edits.push((item.range.clone(), source[item.range.clone()].chars().map(blank).collect()));
             }
         }
-        if !body.ends_with('\n') {
-            body.push('\n');
+        for (range, text) in edits.into_iter().rev() {
+            body.replace_range(range, &text);
         }
-        let start = out.text.len() as u32;
-        out.text.push_str(&body);
-        out.files.push(File { path: path.to_owned(), start, end: out.text.len() as u32 });
+        self.append(path, &body, from)?;
         self.open.pop();
         self.done.insert(path.to_owned());
         Ok(())
     }
 
-    fn import(&mut self, line: &str, at: Location, out: &mut Linked) -> Result<()> {
-        let malformed =
-            || error("an import reads `import package::folder::file::item;` or `…::{a, b};`", Some(at.clone()));
-        let body =
-            line.trim().strip_prefix("import package::").and_then(|l| l.strip_suffix(';')).ok_or_else(malformed)?;
-        let (module, items) = body.rsplit_once("::").ok_or_else(malformed)?;
-        let path = format!("{}.wgsl", module.replace("::", "/"));
-        let text = (self.sources)(&path)
-            .ok_or_else(|| error(&format!("no file `{path}` in this package"), Some(at.clone())))?;
-        for item in items.trim_start_matches('{').trim_end_matches('}').split(',').map(str::trim) {
-            if !declares(&text, item) {
-                return Err(error(&format!("`{path}` declares no `{item}`"), Some(at)));
-            }
+    fn append(&mut self, path: &str, body: &str, from: Option<&Location>) -> Result<()> {
+        let start = self.linked.text.len();
+        self.linked.text.push_str(body);
+        if !body.ends_with('\n') {
+            self.linked.text.push('\n');
         }
-        self.file(&path, Some(at), out)
+        let bounds = u32::try_from(start).ok().zip(u32::try_from(self.linked.text.len()).ok());
+        let (start, end) = bounds.ok_or_else(|| error("the linked text is longer than 4 GiB", from))?;
+        self.linked.files.push(File { path: path.to_owned(), start, end });
+        Ok(())
     }
 
-    /// Copies a line, with the value of a defined `const` replaced.
-    fn line(&mut self, line: &str, body: &mut String) {
-        let name = line.strip_prefix("const ").map(|l| l.split([':', '=', ' ']).next().unwrap_or(""));
-        let define = name.and_then(|n| self.defines.iter().find(|d| d.name == n));
-        match (define, line.split_once('='), line.find(';')) {
-            (Some(define), Some((head, _)), Some(end)) => {
-                self.used.insert(define.name.clone());
-                body.push_str(head);
-                body.push_str("= ");
-                body.push_str(&define.value);
-                body.push_str(&line[end..]);
-            }
-            _ => body.push_str(line),
+    fn source(&self, path: &str, from: Option<&Location>) -> Result<String> {
+        (self.sources)(path).ok_or_else(|| error(&format!("no file `{path}` in this package"), from))
+    }
+
+    fn import(&mut self, line: &str, at: &Location) -> Result<()> {
+        let words: Vec<&str> = text::tokens(line).map(|t| &line[t.range]).collect();
+        if words.contains(&"as") {
+            return Err(error("an import cannot rename: `as` is not supported, use the item's own name", Some(at)));
         }
+        let (folders, names) = parse_import(&words)
+            .ok_or_else(|| error("an import reads `import package::folder::file::item;` or `…::{a, b};`", Some(at)))?;
+        let path = format!("{}.wgsl", folders.join("/"));
+        let source = self.source(&path, Some(at))?;
+        let declared = text::items(&source);
+        for name in names {
+            if !declared.iter().any(|i| &source[i.name.clone()] == name && !is_linkers(&source, i)) {
+                return Err(error(&format!("`{path}` declares no `{name}`"), Some(at)));
+            }
+        }
+        self.file(&path, Some(at))
+    }
+
+    fn require(&mut self, source: &str, item: &Item, at: &Location) -> Result<()> {
+        let typed = source[item.name.end..item.range.end].trim_start().starts_with(':');
+        if item.name.is_empty() || !typed {
+            return Err(error("a requirement reads `require name: type;`", Some(at)));
+        }
+        self.required.push((source[item.name.clone()].to_owned(), at.clone()));
+        Ok(())
+    }
+
+    fn requirements(&self, root: &str) -> Result<()> {
+        let text = &self.linked.text;
+        let items = text::items(text);
+        let global = |i: &Item| matches!(&text[i.keyword.clone()], "var" | "const" | "override");
+        for (name, at) in &self.required {
+            if !items.iter().any(|i| global(i) && &text[i.name.clone()] == name) {
+                let (file, line) = (&at.file, at.line);
+                let message =
+                    format!("`{root}` must declare a module-scope `{name}`: {file} requires it (line {line})");
+                return Err(error(&message, Some(at)));
+            }
+        }
+        Ok(())
+    }
+
+    /// The edit that gives a `const` its defined value.
+    fn define(&mut self, source: &str, item: &Item, at: &Location) -> Result<Option<(std::ops::Range<usize>, String)>> {
+        let Some(define) = self.defines.iter().find(|d| d.name == source[item.name.clone()]) else { return Ok(None) };
+        let declared = &source[item.name.end..item.range.end];
+        let equals = text::tokens(declared).find(|t| t.kind == Kind::Punct('=')).map(|t| t.range.end);
+        let start = item.name.end
+            + equals.ok_or_else(|| error(&format!("`const {}` has no initialiser", define.name), Some(at)))?;
+        let range = start..item.range.end - 1;
+        if source[range.clone()].contains(['\n', '\r']) {
+            let message = format!("the initialiser of `const {}` spans lines; a defined const needs one", define.name);
+            return Err(error(&message, Some(at)));
+        }
+        self.used.insert(define.name.clone());
+        Ok(Some((range, format!(" {}", define.value))))
     }
 }
 
-fn declares(text: &str, item: &str) -> bool {
-    let word =
-        |rest: &str| rest.strip_prefix(item).is_some_and(|r| !r.starts_with(|c: char| c.is_alphanumeric() || c == '_'));
-    text.lines().any(|line| {
-        ["fn ", "const ", "struct ", "alias ", "override "].iter().any(|k| line.strip_prefix(k).is_some_and(word))
-    })
+const MAX_NESTED_IMPORTS: usize = 64;
+
+/// `import package :: a :: b :: item ;` or `… :: { a , b } ;` as folders and items.
+fn parse_import<'a>(words: &[&'a str]) -> Option<(Vec<&'a str>, Vec<&'a str>)> {
+    let ["import", "package", ":", ":", path @ .., ";"] = words else { return None };
+    let is_name = |w: &&str| w.starts_with(|c: char| c == '_' || c.is_alphabetic());
+    let (modules, items) = match path.iter().position(|&w| w == "{") {
+        Some(brace) => {
+            let list = path.last().filter(|&&w| w == "}").map(|_| &path[brace + 1..path.len() - 1])?;
+            let list = list.strip_suffix(&[","]).unwrap_or(list);
+            let names: Vec<&str> = list.iter().step_by(2).copied().collect();
+            let commas = list.iter().skip(1).step_by(2).all(|&w| w == ",");
+            if !commas || list.len() % 2 == 0 {
+                return None;
+            }
+            (&path[..brace], names)
+        }
+        None => (&path[..path.len().checked_sub(1)?], vec![*path.last()?]),
+    };
+    let folders: Vec<&str> = modules.chunks(3).map(|c| c[0]).collect();
+    let separated = modules.chunks(3).all(|c| matches!(c, [_, ":", ":"]));
+    let named = folders.iter().chain(&items).all(is_name);
+    (separated && named && !folders.is_empty()).then_some((folders, items))
 }
 
-fn error(message: &str, location: Option<Location>) -> Error {
-    let rendered = match &location {
+fn is_linkers(source: &str, item: &Item) -> bool {
+    matches!(&source[item.keyword.clone()], "import" | "require")
+}
+
+/// A definition's value is one literal, and no name is defined twice.
+fn check_define(define: &Define, before: &[Define]) -> Result<()> {
+    let value = define.value.trim();
+    let digits = value.strip_prefix('-').unwrap_or(value);
+    let mut tokens = text::tokens(digits);
+    let number = matches!((tokens.next(), tokens.next()), (Some(t), None) if t.kind == Kind::Number && t.range.len() == digits.len());
+    if !number && !matches!(value, "true" | "false") {
+        let message = format!("`{}` defines `const {}`; the value must be one literal", define.value, define.name);
+        return Err(error(&message, None));
+    }
+    if before.iter().any(|d| d.name == define.name) {
+        return Err(error(&format!("`const {}` is defined twice", define.name), None));
+    }
+    Ok(())
+}
+
+fn place(path: &str, source: &str, byte: usize) -> Location {
+    let before = &source[..byte];
+    let line = before.bytes().filter(|&b| b == b'\n').count() as u32 + 1;
+    let column = (before.len() - before.rfind('\n').map_or(0, |i| i + 1)) as u32 + 1;
+    Location { file: path.to_owned(), line, column }
+}
+
+fn error(message: &str, location: Option<&Location>) -> Error {
+    let rendered = match location {
         Some(at) => format!("error: {message}\n  --> {at}\n"),
         None => format!("error: {message}\n"),
     };
-    ErrorKind::Wgsl { stage: "link", location, rendered }.into()
+    ErrorKind::Wgsl { stage: "link", location: location.cloned(), rendered }.into()
 }

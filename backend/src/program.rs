@@ -5,10 +5,11 @@ use std::sync::Arc;
 use codespan_reporting::diagnostic::{Diagnostic, Label};
 use codespan_reporting::files::SimpleFiles;
 use codespan_reporting::term;
-use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
+use naga::valid::ModuleInfo;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::error::{ErrorKind, Location};
+use crate::front::{self, CompileLimits};
 use crate::{Define, Linked, Result, Sources, lint};
 
 /// How a kernel uses a binding.
@@ -64,35 +65,31 @@ pub struct Program {
 impl Program {
     /// Links `root` and compiles it under the portability lints.
     pub fn new(label: &str, root: &str, sources: &Sources, defines: &[Define]) -> Result<Arc<Self>> {
-        Self::compile(label, Linked::link(root, sources, defines)?, true).map(Arc::new)
+        Self::with_limits(label, Linked::link(root, sources, defines)?, true, &CompileLimits::default())
     }
 
     /// Compiles any WGSL, without the lints: kernels that do not promise the numerics contract.
     pub fn unlinted(label: &str, linked: Linked) -> Result<Arc<Self>> {
-        Self::compile(label, linked, false).map(Arc::new)
+        Self::with_limits(label, linked, false, &CompileLimits::default())
     }
 
-    fn compile(label: &str, linked: Linked, lint: bool) -> Result<Self> {
-        let module = naga::front::wgsl::parse_str(&linked.text).map_err(|e| {
-            let labels = e.labels().map(|(span, text)| (span, text.to_owned())).collect::<Vec<_>>();
-            let notes = e.notes().map(str::to_owned).collect();
-            diagnose(&linked, "parse", e.message(), &labels, notes)
-        })?;
-        let info = Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module).map_err(|e| {
-            let labels = e.spans().cloned().collect::<Vec<_>>();
-            let mut notes = Vec::new();
-            let mut source = std::error::Error::source(e.as_inner());
-            while let Some(next) = source {
-                notes.push(next.to_string());
-                source = next.source();
-            }
-            diagnose(&linked, "validate", &e.as_inner().to_string(), &labels, notes)
-        })?;
+    /// Compiles linked text within limits of the caller's choice, with or without the lints.
+    pub fn with_limits(label: &str, linked: Linked, lint: bool, limits: &CompileLimits) -> Result<Arc<Self>> {
+        Self::compile(label, linked, lint, limits).map(Arc::new)
+    }
+
+    fn compile(label: &str, linked: Linked, lint: bool, limits: &CompileLimits) -> Result<Self> {
+        let (module, info) = front::compile(&linked, limits)?;
         if lint {
             lint::check(&module, &info, &linked)?;
         }
         let bindings = reflect_bindings(&module);
         let entries = reflect_entries(&module, &info, &bindings);
+        if entries.is_empty() {
+            let notes = vec!["a kernel begins with `@compute @workgroup_size(64) fn main() {`".to_owned()];
+            let message = format!("`{label}` has no `@compute` entry point");
+            return Err(diagnose(&linked, "validate", &message, &[], notes).into());
+        }
         let id = blake3::hash(linked.text.as_bytes()).to_hex()[..16].to_owned();
         Ok(Program { label: label.to_owned(), id, linked, lint, module, info, bindings, entries })
     }
@@ -151,28 +148,33 @@ pub(crate) fn diagnose(
     labels: &[(naga::Span, String)],
     notes: Vec<String>,
 ) -> ErrorKind {
+    let rendered = render(linked, message, labels, notes);
+    let location = labels.iter().find_map(|(span, _)| linked.locate(span.to_range()?.start));
+    ErrorKind::Wgsl { stage, location, rendered }
+}
+
+/// The text of a diagnostic, with the source lines of its labels.
+pub(crate) fn render(linked: &Linked, message: &str, labels: &[(naga::Span, String)], notes: Vec<String>) -> String {
     let mut files = SimpleFiles::new();
     for file in &linked.files {
-        files.add(file.path.clone(), &linked.text[file.start as usize..file.end as usize]);
+        let text = linked.text.get(file.start as usize..file.end as usize);
+        files.add(file.path.as_str(), text.unwrap_or_default());
     }
     let mut marks = Vec::new();
     for (span, text) in labels {
         let Some(range) = span.to_range() else { continue };
-        let found = linked.files.iter().position(|f| (f.start as usize..=f.end as usize).contains(&range.start));
-        let Some(index) = found else { continue };
+        let Some(index) = linked.file_at(range.start) else { continue };
         let start = linked.files[index].start as usize;
-        let end = range.end.min(linked.files[index].end as usize);
-        let label = Label::primary(index, range.start - start..end - start);
-        marks.push(label.with_message(text));
+        let end = range.end.min(linked.files[index].end as usize).max(range.start);
+        marks.push(Label::primary(index, range.start - start..end - start).with_message(text));
     }
     let diagnostic = Diagnostic::error().with_message(message).with_labels(marks).with_notes(notes);
     let mut rendered = String::new();
     let config = term::Config::default();
-    if term::emit_to_string(&mut rendered, &config, &files, &diagnostic).is_err() {
-        rendered = format!("error: {message}\n");
+    match term::emit_to_string(&mut rendered, &config, &files, &diagnostic) {
+        Ok(()) => rendered,
+        Err(_) => format!("error: {message}\n"),
     }
-    let location = labels.iter().find_map(|(span, _)| linked.locate(span.to_range()?.start));
-    ErrorKind::Wgsl { stage, location, rendered }
 }
 
 fn reflect_bindings(module: &naga::Module) -> Vec<Binding> {
@@ -201,6 +203,9 @@ fn reflect_bindings(module: &naga::Module) -> Vec<Binding> {
 fn reflect_entries(module: &naga::Module, info: &ModuleInfo, bindings: &[Binding]) -> Vec<Entry> {
     let mut entries = Vec::new();
     for (index, entry) in module.entry_points.iter().enumerate() {
+        if entry.stage != naga::ShaderStage::Compute {
+            continue;
+        }
         let uses = info.get_entry_point(index);
         let mut used = Vec::new();
         for (handle, global) in module.global_variables.iter() {
@@ -231,7 +236,7 @@ impl Serialize for Program {
 
 impl<'de> Deserialize<'de> for Program {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let stored = Stored::deserialize(deserializer)?;
-        Program::compile(&stored.label, stored.linked, stored.lint).map_err(serde::de::Error::custom)
+        let Stored { label, linked, lint } = Stored::deserialize(deserializer)?;
+        Program::compile(&label, linked, lint, &CompileLimits::default()).map_err(serde::de::Error::custom)
     }
 }
