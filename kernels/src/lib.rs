@@ -1,1 +1,69 @@
-//! Placeholder head.
+//! Compute kernels for visibility: one folder a kernel, each with its WGSL, its oracle and its cases.
+//!
+//! A folder holds `kernel.wgsl` (the one text that every machine runs), `mod.rs` (typed bindings and the function that
+//! records the kernel into a [`Job`](sightlines_backend::Job)), `oracle.rs` (the paper's definition in plain Rust,
+//! never made from the WGSL) and `cases.rs` (named inputs from nothing to real size). `docs/adding-a-kernel.md` walks
+//! through a new one.
+//!
+//! Invariants: integers decide every output bit; no kernel needs forward progress between workgroups, a subgroup size
+//! or an optional feature; every kernel stays within WebGPU's default limits.
+
+use std::sync::Arc;
+
+use sightlines_backend::{Define, Kernel, Program, Result};
+
+pub mod grid;
+pub mod item_histogram;
+pub mod permute;
+pub mod popcount;
+pub mod random;
+pub mod sat;
+pub mod scan;
+pub mod screen;
+
+/// Makes the registry and the table of WGSL texts from one list.
+macro_rules! package {
+    (kernels: $($kernel:ident),* $(,)?; shared: $($shared:ident),* $(,)?;) => {
+        static KERNELS: &[Kernel] = &[$($kernel::KERNEL),*];
+
+        /// Package path and text of every WGSL file.
+        static TEXTS: &[(&str, &str)] = &[
+            $((
+                concat!(stringify!($kernel), "/kernel.wgsl"),
+                include_str!(concat!(stringify!($kernel), "/kernel.wgsl")),
+            ),)*
+            $((
+                concat!("shared/", stringify!($shared), ".wgsl"),
+                include_str!(concat!("shared/", stringify!($shared), ".wgsl")),
+            ),)*
+        ];
+    };
+}
+
+package! {
+    kernels:
+        item_histogram,
+        popcount,
+        sat,
+        scan;
+    shared:
+        block_scan,
+        grid,
+        permute;
+}
+
+/// Every kernel of the workspace, by name.
+pub fn registry() -> &'static [Kernel] {
+    KERNELS
+}
+
+/// The text of a WGSL file of this package, such as `shared/grid.wgsl`.
+pub fn source(path: &str) -> Option<String> {
+    TEXTS.iter().find(|(known, _)| *known == path).map(|(_, text)| (*text).to_owned())
+}
+
+/// Links and compiles `kernel`'s text; `variant` names what the defines choose and is empty if there are none.
+pub fn program(kernel: &str, variant: &str, defines: &[Define]) -> Result<Arc<Program>> {
+    let label = if variant.is_empty() { kernel.to_owned() } else { format!("{kernel}.{variant}") };
+    Program::new(&label, &format!("{kernel}/kernel.wgsl"), &source, defines)
+}

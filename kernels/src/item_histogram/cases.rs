@@ -1,0 +1,151 @@
+//! From no item to 2048² pixels in 65,536 bins: whole screens, where ids lie in clumps, and random ids.
+//!
+//! A screen case runs the whole chain, labels, counts and mip levels; the others count given ids. Small cases count in
+//! both orders, and the words past their bins must keep their mark.
+
+use sightlines_backend::{Case, Expected, Job, Result, Size};
+
+use super::{ItemHistogram, NOTHING, Order, Tiling, item, oracle};
+use crate::{random, screen};
+
+/// Words past the end of the bins, and what they hold.
+const SLACK: usize = 4;
+const MARK: u32 = 0x5eed_5eed;
+
+const FIGURE_4: &[u32] = &[5, 3, 4];
+
+pub(super) fn all() -> Vec<Case> {
+    let random_ids = |name, side: u32, bins, order| real_ids(name, side * side, bins, order);
+    vec![
+        small("nothing", &[], 192, &[0, 191]),
+        small("no_bins", &[3, 1, 4, 1, 5], 0, &[0]),
+        small("one", &[7], 8, &[6, 7]),
+        generated("one_past_group", 257, 16, |i| i % 16, &[0, 1, 15]),
+        generated("one_past_block", 4097, 192, |i| random::below(192, 1, i), &[0, 191]),
+        generated("one_bin", 10_000, 1, |_| 0, &[0]),
+        generated("one_bin_of_many", 10_000, 5000, |_| 4096, &[4095, 4096, 4097]),
+        generated("absent_ids", 5000, 100, |i| if i % 3 == 0 { i } else { random::word(2, i) }, &[0, 1, 3, 99]),
+        generated("one_past_small_tile", 9000, 257, |i| i % 259, &[0, 255, 256]),
+        generated("one_past_tile", 20_000, 4097, |i| random::below(4098, 3, i), &[0, 4095, 4096]),
+        screen_case("figure_4", Size::Small, FIGURE_4, tiling(96, 64), Order::Memory),
+        screen_case("figure_4_uneven", Size::Small, FIGURE_4, tiling(301, 77), Order::Scattered),
+        screen_case("screen_512_192", Size::Real, FIGURE_4, tiling(512, 512), Order::Memory),
+        screen_case("screen_512_192_scattered", Size::Real, FIGURE_4, tiling(512, 512), Order::Scattered),
+        screen_case("screen_2048_65536", Size::Real, CROWD, tiling(2048, 2048), Order::Memory),
+        screen_case("screen_2048_65536_scattered", Size::Real, CROWD, tiling(2048, 2048), Order::Scattered),
+        random_ids("random_512_192", 512, 192, Order::Memory),
+        random_ids("random_2048_65536", 2048, 65_536, Order::Memory),
+    ]
+}
+
+/// Eight objects of 512 instances: 65,536 bins at depth 2.
+const CROWD: &[u32] = &[512; 8];
+
+fn tiling(width: u32, height: u32) -> Tiling {
+    Tiling { width, height, depth: 2 }
+}
+
+/// First bin of every object.
+fn bases(instances: &[u32], depth: u32) -> Vec<u32> {
+    let starts = instances.iter().scan(0, |next, n| Some(std::mem::replace(next, *next + n)));
+    starts.map(|start: u32| start << (2 * depth)).collect()
+}
+
+/// The item buffer of a screen of discs.
+fn items(instances: &[u32], tiling: Tiling) -> Vec<u32> {
+    let all = instances.iter().sum();
+    let names: Vec<u32> = (0_u16..).zip(instances).flat_map(|(o, &n)| (0..n as u16).map(move |i| item(o, i))).collect();
+    let pixels = screen::discs(tiling.width, tiling.height, all, 11);
+    pixels.iter().map(|&pixel| names.get(pixel as usize).copied().unwrap_or(NOTHING)).collect()
+}
+
+fn screen_case(name: &str, size: Size, instances: &'static [u32], tiling: Tiling, order: Order) -> Case {
+    let bins = instances.iter().sum::<u32>() << (2 * tiling.depth);
+    let expected = move |_: &_| {
+        let labels = oracle::labels(tiling, &items(instances, tiling), &bases(instances, tiling.depth));
+        let mut levels = vec![oracle::counts(&labels, bins)];
+        for depth in (1..=tiling.depth).rev() {
+            levels.push(oracle::halved(&levels[levels.len() - 1], depth));
+        }
+        std::iter::once(labels).chain(levels).map(Expected::Whole).collect()
+    };
+    let blocks = bins >> (2 * tiling.depth);
+    Case::new(name, size, move || screen_job(instances, tiling, order), expected).probes([0, 1, 5, blocks - 1])
+}
+
+fn screen_job(instances: &[u32], tiling: Tiling, order: Order) -> Result<Job> {
+    let kernel = ItemHistogram::new()?;
+    let mut job = Job::new();
+    let items = job.slice("items", &items(instances, tiling));
+    let base = job.slice("base", &bases(instances, tiling.depth));
+    job.cut();
+    let labels = job.zeroed("labels", items.len());
+    kernel.record_labels(&mut job, tiling, items, base, labels)?;
+    let blocks = instances.iter().sum::<u32>();
+    let bins = blocks << (2 * tiling.depth);
+    let counts = job.zeroed("counts", u64::from(bins));
+    kernel.record_counts(&mut job, order, (labels.len() as u32, labels), (bins, counts))?;
+    let levels = kernel.record_mips(&mut job, tiling.depth, blocks, counts)?;
+    job.read("labels", labels.id());
+    job.read("counts", counts.id());
+    for (level, buffer) in (1..).zip(levels) {
+        job.read(format!("mip.{level}"), buffer.id());
+    }
+    Ok(job)
+}
+
+/// Counts `ids` in both orders.
+fn small(name: &str, ids: &'static [u32], bins: u32, probes: &[u32]) -> Case {
+    both_orders(name, move || ids.to_vec(), bins, probes)
+}
+
+fn generated(name: &str, len: u32, bins: u32, id: fn(u32) -> u32, probes: &[u32]) -> Case {
+    both_orders(name, move || (0..len).map(id).collect(), bins, probes)
+}
+
+fn both_orders(
+    name: &str,
+    ids: impl Fn() -> Vec<u32> + Clone + Send + Sync + 'static,
+    bins: u32,
+    probes: &[u32],
+) -> Case {
+    let given = ids.clone();
+    let job = move || {
+        let kernel = ItemHistogram::new()?;
+        let mut job = Job::new();
+        let mut ids = given();
+        let items = ids.len() as u32;
+        ids.extend([0; SLACK]);
+        let ids = job.slice("ids", &ids);
+        for (order, label) in [(Order::Memory, "counts"), (Order::Scattered, "counts.scattered")] {
+            let mut marked = vec![0; bins as usize];
+            marked.extend([MARK; SLACK]);
+            let counts = job.slice("counts", &marked);
+            kernel.record_counts(&mut job, order, (items, ids), (bins, counts))?;
+            job.read(label, counts.id());
+        }
+        Ok(job)
+    };
+    let expected = move |_: &_| {
+        let mut counts = oracle::counts(&ids(), bins);
+        counts.extend([MARK; SLACK]);
+        vec![Expected::Whole(counts); 2]
+    };
+    Case::new(name, Size::Small, job, expected).probes(probes.iter().copied())
+}
+
+fn real_ids(name: &str, len: u32, bins: u32, order: Order) -> Case {
+    let ids = move || -> Vec<u32> { (0..len).map(|i| random::below(bins, 12, i)).collect() };
+    let job = move || {
+        let kernel = ItemHistogram::new()?;
+        let mut job = Job::new();
+        let ids = job.slice("ids", &ids());
+        job.cut();
+        let counts = job.zeroed("counts", u64::from(bins));
+        kernel.record_counts(&mut job, order, (len, ids), (bins, counts))?;
+        job.read("counts", counts.id());
+        Ok(job)
+    };
+    let expected = move |_: &_| vec![Expected::Whole(oracle::counts(&ids(), bins))];
+    Case::new(name, Size::Real, job, expected).probes([0, 1, bins / 2, bins - 1])
+}

@@ -1,0 +1,132 @@
+// Pixel counts of instances and screen tiles: the hierarchical item buffer.
+//
+// Engelhardt and Dachsbacher, "Granular Visibility Queries on the GPU" (I3D 2009), section 3.2 and figure 4; the
+// histogram by scatter is Scheuermann and Hensley, "Efficient Histogram Generation Using Scattering on GPUs" (I3D 2007).
+//
+// `label` writes the id of every pixel of an item buffer: with the screen cut into 2^t by 2^t tiles and (x, y) the tile
+// of the pixel,
+//
+//     id = base[object] + instance * 2^(2t) + x + y * 2^t,
+//
+// and 0xffffffff for the background and for objects without a base. `count` adds to counts[id], for id < bins, the
+// number of times that id occurs; other ids are ignored. `halve` makes blocks of s by s bins from blocks of 2s by 2s,
+// each bin the sum of its four children: the next mip level, as sums.
+
+import package::shared::permute::permute;
+
+/// Bins of one workgroup; 4096 fill its 16 KiB of memory.
+const TILE_BINS: u32 = 4096u;
+/// Whether items are taken in a scattered order, so that neighbours of one id do not meet in one bin.
+const SCATTERED: bool = false;
+/// A pixel of no item.
+const NOTHING: u32 = 0xffffffffu;
+
+struct Params {
+    items: u32,
+    bins: u32,
+    /// Items a lane.
+    rounds: u32,
+    /// Places in the order: `items`, or the power of two above it when scattered.
+    places: u32,
+    /// Logarithm of that power of two.
+    bits: u32,
+}
+
+@group(0) @binding(0) var<uniform> params: Params;
+@group(0) @binding(1) var<storage, read> ids: array<u32>;
+@group(0) @binding(2) var<storage, read_write> counts: array<atomic<u32>>;
+
+var<workgroup> tile: array<atomic<u32>, TILE_BINS>;
+
+/// The item at a place of the order.
+fn item_at(place: u32) -> u32 {
+    if (SCATTERED) {
+        return permute(place, params.bits);
+    }
+    return place;
+}
+
+/// Workgroup (g, b) counts block g of the items into tile b of the bins.
+@compute @workgroup_size(256)
+fn count(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    let first_bin = group.y * TILE_BINS;
+    for (var row = 0u; row < TILE_BINS; row += 256u) {
+        atomicStore(&tile[row + lane], 0u);
+    }
+    workgroupBarrier();
+    let first_place = group.x * params.rounds * 256u + lane;
+    for (var round = 0u; round < params.rounds; round += 1u) {
+        let place = first_place + round * 256u;
+        let item = item_at(place);
+        if (place < params.places && item < params.items) {
+            let bin = ids[item] - first_bin;
+            if (bin < TILE_BINS) {
+                atomicAdd(&tile[bin], 1u);
+            }
+        }
+    }
+    workgroupBarrier();
+    for (var row = 0u; row < TILE_BINS; row += 256u) {
+        let found = atomicLoad(&tile[row + lane]);
+        let bin = first_bin + row + lane;
+        if (found != 0u && bin < params.bins) {
+            atomicAdd(&counts[bin], found);
+        }
+    }
+}
+
+struct Screen {
+    width: u32,
+    height: u32,
+    /// Logarithm of the number of tiles a side.
+    depth: u32,
+    objects: u32,
+}
+
+@group(0) @binding(3) var<uniform> screen: Screen;
+/// Object in the upper half of a word, instance in the lower; `NOTHING` for the background.
+@group(0) @binding(4) var<storage, read> items: array<u32>;
+@group(0) @binding(5) var<storage, read> base: array<u32>;
+@group(0) @binding(6) var<storage, read_write> labels: array<u32>;
+
+/// Row `y` of the screen is row `y` of the workgroups.
+@compute @workgroup_size(256)
+fn label(@builtin(global_invocation_id) pixel: vec3<u32>) {
+    if (pixel.x >= screen.width) {
+        return;
+    }
+    let place = pixel.y * screen.width + pixel.x;
+    let item = items[place];
+    let object = item >> 16u;
+    var id = NOTHING;
+    if (item != NOTHING && object < screen.objects) {
+        let x = (pixel.x << screen.depth) / screen.width;
+        let y = (pixel.y << screen.depth) / screen.height;
+        id = base[object] + ((item & 0xffffu) << (2u * screen.depth)) + x + (y << screen.depth);
+    }
+    labels[place] = id;
+}
+
+struct Level {
+    /// Bins of the coarse level.
+    bins: u32,
+    /// Logarithm of the side of a coarse block.
+    depth: u32,
+}
+
+@group(0) @binding(7) var<uniform> level: Level;
+@group(0) @binding(8) var<storage, read> fine: array<u32>;
+@group(0) @binding(9) var<storage, read_write> coarse: array<u32>;
+
+@compute @workgroup_size(256)
+fn halve(@builtin(global_invocation_id) id: vec3<u32>) {
+    if (id.x >= level.bins) {
+        return;
+    }
+    let side = 1u << level.depth;
+    let block = id.x >> (2u * level.depth);
+    let x = id.x & (side - 1u);
+    let y = (id.x >> level.depth) & (side - 1u);
+    let at = (block << (2u * level.depth + 2u)) + y * 4u * side + 2u * x;
+    coarse[id.x] = fine[at] + fine[at + 1u] + fine[at + 2u * side] + fine[at + 2u * side + 1u];
+}

@@ -1,0 +1,231 @@
+//! Pixel counts of instances and screen tiles: labels, histogram and mip levels of a hierarchical item buffer.
+//!
+//! Engelhardt and Dachsbacher, "Granular Visibility Queries on the GPU", section 3.2 and figure 4. `kernel.wgsl` states
+//! the three outputs exactly. Bins are counted in workgroup memory, a tile of them at a time, and added to memory once a
+//! workgroup. Invariant: counts are sums of atomic additions, so the order of the items, scattered or not, cannot show.
+
+use std::sync::Arc;
+
+use sightlines_backend::host::{Bindings, Buffer};
+use sightlines_backend::{Define, Error, Job, Kernel, Program, Result, bindings, host};
+
+use crate::grid::MAX_GROUPS;
+
+mod cases;
+pub mod oracle;
+
+/// This kernel in the registry.
+pub const KERNEL: Kernel = Kernel {
+    name: "item_histogram",
+    summary: "number of pixels of every instance in every screen tile, with mip levels",
+    citation: "Engelhardt and Dachsbacher, Granular Visibility Queries on the GPU, 2009, section 3.2 and figure 4",
+    programs: || {
+        let ItemHistogram { memory, scattered } = ItemHistogram::new()?;
+        Ok(memory.into_iter().chain(scattered).collect())
+    },
+    cases: cases::all,
+};
+
+/// Most items of one histogram: they fill a binding of 128 MiB.
+pub const MAX_ITEMS: u32 = 1 << 25;
+
+/// Item of a pixel that shows none, and its id.
+pub const NOTHING: u32 = u32::MAX;
+
+/// In which order items meet their bins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Order {
+    /// As they lie in memory: reads are contiguous, neighbours of one id meet in one bin.
+    Memory,
+    /// In the order of a bijective hash: reads are scattered, neighbours are not.
+    Scattered,
+}
+
+/// A screen cut into 2^depth by 2^depth tiles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tiling {
+    /// Pixels a row, 1 to 65,535.
+    pub width: u32,
+    /// Rows, 1 to 65,535.
+    pub height: u32,
+    /// Logarithm of the number of tiles a side, at most 8.
+    pub depth: u32,
+}
+
+/// The word of an item buffer for an instance of an object. The last instance of object 65,535 would be [`NOTHING`].
+pub fn item(object: u16, instance: u16) -> u32 {
+    u32::from(object) << 16 | u32::from(instance)
+}
+
+host! {
+    /// Mirrors `struct Params`.
+    pub struct Params {
+        /// Number of ids.
+        pub items: u32,
+        /// Number of bins.
+        pub bins: u32,
+        /// Items a lane.
+        pub rounds: u32,
+        /// Places in the order.
+        pub places: u32,
+        /// Logarithm of the places of a scattered order.
+        pub bits: u32,
+    }
+
+    /// Mirrors `struct Screen`.
+    pub struct Screen {
+        /// Pixels a row.
+        pub width: u32,
+        /// Rows.
+        pub height: u32,
+        /// Logarithm of the number of tiles a side.
+        pub depth: u32,
+        /// Number of objects.
+        pub objects: u32,
+    }
+
+    /// Mirrors `struct Level`.
+    pub struct Level {
+        /// Bins of the coarse level.
+        pub bins: u32,
+        /// Logarithm of the side of a coarse block.
+        pub depth: u32,
+    }
+}
+
+bindings! {
+    /// What `count` is given.
+    pub struct Count {
+        uniform params @ 0: Params,
+        read ids @ 1: [u32],
+        write counts @ 2: [u32],
+    }
+
+    /// What `label` is given.
+    pub struct Label {
+        uniform screen @ 3: Screen,
+        read items @ 4: [u32],
+        read base @ 5: [u32],
+        write labels @ 6: [u32],
+    }
+
+    /// What `halve` is given.
+    pub struct Halve {
+        uniform level @ 7: Level,
+        read fine @ 8: [u32],
+        write coarse @ 9: [u32],
+    }
+}
+
+/// Bins of a workgroup, by variant: few need little memory, many need all of it.
+const TILES: [u32; 2] = [256, 4096];
+
+/// The compiled kernel: for each order, one program for each of [`TILES`].
+pub struct ItemHistogram {
+    memory: [Arc<Program>; 2],
+    scattered: [Arc<Program>; 2],
+}
+
+impl ItemHistogram {
+    /// Compiles it.
+    pub fn new() -> Result<Self> {
+        let variant = |name: &str, tile: u32, scattered: bool| {
+            let defines = [Define::new("TILE_BINS", format!("{tile}u")), Define::new("SCATTERED", scattered)];
+            let program = crate::program("item_histogram", &format!("{name}_{tile}"), &defines)?;
+            Count::check(&program, "count")?;
+            Label::check(&program, "label")?;
+            Halve::check(&program, "halve")?;
+            Ok::<_, Error>(program)
+        };
+        let [few, many] = TILES;
+        Ok(ItemHistogram {
+            memory: [variant("memory", few, false)?, variant("memory", many, false)?],
+            scattered: [variant("scattered", few, true)?, variant("scattered", many, true)?],
+        })
+    }
+
+    /// Writes the id of every pixel: one word of `items` and of `labels` a pixel, one word of `base` an object.
+    pub fn record_labels(
+        &self,
+        job: &mut Job,
+        tiling: Tiling,
+        items: Buffer<[u32]>,
+        base: Buffer<[u32]>,
+        labels: Buffer<[u32]>,
+    ) -> Result<()> {
+        let Tiling { width, height, depth } = tiling;
+        let pixels = u64::from(width) * u64::from(height);
+        let sides = 1..=MAX_GROUPS;
+        if !sides.contains(&width) || !sides.contains(&height) || depth > 8 {
+            let what = format!("a screen of {width} by {height} pixels in tiles of depth {depth}");
+            return Err(Error::refused(what, "use 1 to 65,535 pixels a side and a depth of at most 8"));
+        }
+        if items.len() < pixels || labels.len() < pixels {
+            let what = format!("{} items and {} labels for {pixels} pixels", items.len(), labels.len());
+            return Err(Error::refused(what, "give one word a pixel"));
+        }
+        let screen = job.value("screen", &Screen { width, height, depth, objects: base.len() as u32 });
+        let program = job.program(&self.memory[0]);
+        let bound = Label { screen, items, base, labels };
+        job.launch(program, "label", &bound, [width.div_ceil(256), height, 1]);
+        Ok(())
+    }
+
+    /// Adds to `counts`, one word for each of `bins` bins, how often each id occurs among the first `items` of `ids`.
+    pub fn record_counts(
+        &self,
+        job: &mut Job,
+        order: Order,
+        (items, ids): (u32, Buffer<[u32]>),
+        (bins, counts): (u32, Buffer<[u32]>),
+    ) -> Result<()> {
+        if items > MAX_ITEMS || ids.len() < u64::from(items) || counts.len() < u64::from(bins) {
+            let what = format!("a histogram of {items} of {} ids in {bins} of {} bins", ids.len(), counts.len());
+            return Err(Error::refused(what, format!("count at most {MAX_ITEMS} ids; give one word an id and a bin")));
+        }
+        let size = usize::from(bins > TILES[0]);
+        let tile = TILES[size];
+        let (program, places, bits) = match order {
+            Order::Memory => (&self.memory[size], items, 0),
+            Order::Scattered => {
+                let places = items.next_power_of_two();
+                (&self.scattered[size], places, places.trailing_zeros())
+            }
+        };
+        // Four items for each bin that a workgroup clears and adds, and 16 for each lane at least.
+        let rounds = (4 * tile / 256).max(16);
+        let params = job.value("histogram params", &Params { items, bins, rounds, places, bits });
+        let groups = [places.div_ceil(256 * rounds).max(1), bins.div_ceil(tile).max(1), 1];
+        let program = job.program(program);
+        job.launch(program, "count", &Count { params, ids, counts }, groups);
+        Ok(())
+    }
+
+    /// Sums a histogram of blocks of 2^depth by 2^depth bins level by level; the last level has one bin a block.
+    /// Yields the levels above `counts`, finest first.
+    pub fn record_mips(
+        &self,
+        job: &mut Job,
+        depth: u32,
+        blocks: u32,
+        counts: Buffer<[u32]>,
+    ) -> Result<Vec<Buffer<[u32]>>> {
+        let bins = |depth: u32| u64::from(blocks) << (2 * depth);
+        if depth > 8 || blocks == 0 || bins(depth) > u64::from(MAX_ITEMS) || counts.len() < bins(depth) {
+            let what = format!("mip levels of {blocks} blocks of depth {depth} from {} bins", counts.len());
+            return Err(Error::refused(what, format!("use a depth of at most 8 and at most {MAX_ITEMS} bins")));
+        }
+        let program = job.program(&self.memory[0]);
+        let mut fine = counts;
+        let mut levels = Vec::new();
+        for depth in (0..depth).rev() {
+            let coarse = job.zeroed("histogram level", bins(depth));
+            let level = job.value("level", &Level { bins: bins(depth) as u32, depth });
+            let groups = crate::grid::line(bins(depth), 256);
+            job.launch(program, "halve", &Halve { level, fine, coarse }, groups);
+            levels.push(coarse);
+            fine = coarse;
+        }
+        Ok(levels)
+    }
+}
