@@ -193,3 +193,92 @@ fn missing(wanted: &Wanted, reports: &[AdapterReport]) -> String {
     let names = reports.iter().map(|r| format!("`{}` ({}: {})", r.name, r.backend, r.driver)).collect::<Vec<_>>();
     format!("found {}", names.join(", "))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn report(name: &str, driver: &str, backend: &'static str, device_type: DeviceType) -> AdapterReport {
+        AdapterReport {
+            name: name.into(),
+            driver: driver.into(),
+            backend,
+            device_type,
+            software: device_type == DeviceType::Cpu,
+            chosen: false,
+            max_buffer: 0,
+            max_storage_binding: 0,
+            max_storage_buffers: 0,
+            max_invocations: 0,
+            max_workgroup_memory: 0,
+            storage_alignment: 0,
+            subgroups: (0, 0),
+            lacks: Vec::new(),
+        }
+    }
+
+    fn machine() -> Vec<AdapterReport> {
+        let mut reports = vec![
+            report("GTX 10", "NVIDIA 5", "gl", DeviceType::DiscreteGpu),
+            report("llvmpipe (LLVM 15)", "llvmpipe Mesa 22", "vulkan", DeviceType::Cpu),
+            report("GTX 10", "NVIDIA 5", "dx12", DeviceType::DiscreteGpu),
+            report("UHD 6", "Intel 9", "vulkan", DeviceType::IntegratedGpu),
+            report("GTX 1070", "NVIDIA 5", "vulkan", DeviceType::DiscreteGpu),
+            report("GTX 10", "NVIDIA 5", "vulkan", DeviceType::DiscreteGpu),
+        ];
+        reports.sort_by_key(rank);
+        reports
+    }
+
+    fn picked(name: Option<&str>) -> Option<(String, &'static str)> {
+        let wanted = Wanted { name: name.map(str::to_owned), backends: Backends::PRIMARY };
+        let reports = machine();
+        pick(&wanted, &reports).map(|index| (reports[index].name.clone(), reports[index].backend))
+    }
+
+    #[test]
+    fn preference_puts_the_interface_gl_last_and_hardware_first() {
+        let order = machine().into_iter().map(|r| (r.name, r.backend)).collect::<Vec<_>>();
+        let expected = [
+            ("GTX 10", "vulkan"),
+            ("GTX 1070", "vulkan"),
+            ("GTX 10", "dx12"),
+            ("UHD 6", "vulkan"),
+            ("llvmpipe (LLVM 15)", "vulkan"),
+            ("GTX 10", "gl"),
+        ];
+        assert_eq!(order, expected.map(|(name, backend)| (name.to_owned(), backend)));
+    }
+
+    #[test]
+    fn names_match_in_part_and_an_equal_name_goes_first() {
+        assert_eq!(picked(None), Some(("GTX 10".into(), "vulkan")));
+        assert_eq!(picked(Some("gtx 1070")), Some(("GTX 1070".into(), "vulkan")));
+        assert_eq!(picked(Some("GTX 107")), Some(("GTX 1070".into(), "vulkan")));
+        assert_eq!(picked(Some("mesa")), Some(("llvmpipe (LLVM 15)".into(), "vulkan")));
+        assert_eq!(picked(Some("radeon")), None);
+    }
+
+    #[test]
+    fn options_go_before_the_environment() {
+        let env = |key: &str| match key {
+            "WGPU_BACKEND" => Some("gl".to_owned()),
+            "WGPU_ADAPTER_NAME" => Some("mesa".to_owned()),
+            _ => None,
+        };
+        let defaults = WgpuOptions::default();
+        assert_eq!(Wanted::new(&defaults, |_| None), Wanted { name: None, backends: Backends::PRIMARY });
+        assert_eq!(Wanted::new(&defaults, |_| Some(" ".into())), Wanted { name: None, backends: Backends::PRIMARY });
+        assert_eq!(Wanted::new(&defaults, env), Wanted { name: Some("mesa".into()), backends: Backends::GL });
+        let options = WgpuOptions { adapter: Some("uhd".into()), backends: Some(Backends::VULKAN), ..defaults };
+        assert_eq!(Wanted::new(&options, env), Wanted { name: Some("uhd".into()), backends: Backends::VULKAN });
+    }
+
+    #[test]
+    fn a_missing_adapter_is_explained() {
+        let wanted = |backends| Wanted { name: Some("radeon".into()), backends };
+        assert!(missing(&wanted(Backends::VULKAN), &machine()).contains("`UHD 6` (vulkan: Intel 9)"));
+        assert!(missing(&wanted(Backends::VULKAN), &[]).contains("apt-get install mesa-vulkan-drivers"));
+        assert!(missing(&wanted(Backends::empty()), &[]).contains("none of the graphics interfaces"));
+    }
+}

@@ -45,11 +45,11 @@ impl Device {
         let fault = Arc::new(Mutex::new(None));
         let uncaptured = Arc::clone(&fault);
         raw.on_uncaptured_error(Arc::new(move |error| {
-            lock(&uncaptured).get_or_insert(typed(&error));
+            record(&uncaptured, typed(&error));
         }));
         let lost = Arc::clone(&fault);
         raw.set_device_lost_callback(move |_, reason| {
-            lock(&lost).get_or_insert(DeviceError::Lost(reason));
+            record(&lost, DeviceError::Lost(reason));
         });
         Ok(Device { raw, queue, fault, timeout })
     }
@@ -58,9 +58,11 @@ impl Device {
         &self.raw
     }
 
-    /// The fault that ended the device, if there was one.
+    /// The fault that ended the device, every time; an error that no scope caught, once.
     pub(crate) fn health(&self) -> Result<()> {
-        lock(&self.fault).clone().map_or(Ok(()), |fault| Err(fault.into()))
+        let mut fault = lock(&self.fault);
+        let found = if fault.as_ref().is_some_and(is_final) { fault.clone() } else { fault.take() };
+        found.map_or(Ok(()), |fault| Err(fault.into()))
     }
 
     /// Runs `work` with every error of the device caught. An error of the device explains one of `work`, so it goes first.
@@ -119,8 +121,21 @@ impl Device {
 
     /// Ends the device with a fault, and leaks it.
     fn give_up(&self, fault: DeviceError) {
-        lock(&self.fault).get_or_insert(fault);
+        record(&self.fault, fault);
         std::mem::forget((self.raw.clone(), self.queue.clone()));
+    }
+}
+
+/// Whether the device is of no use after a fault.
+fn is_final(fault: &DeviceError) -> bool {
+    matches!(fault, DeviceError::Lost(_) | DeviceError::Timeout { .. })
+}
+
+/// Keeps a fault, unless a final one is kept already.
+fn record(slot: &Mutex<Option<DeviceError>>, fault: DeviceError) {
+    let mut slot = lock(slot);
+    if !slot.as_ref().is_some_and(is_final) {
+        *slot = Some(fault);
     }
 }
 

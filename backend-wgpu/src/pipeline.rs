@@ -3,16 +3,25 @@
 //! A pipeline is the entry point of a program under a set of overrides; programs are equal if their ids are. Layouts are
 //! explicit, made from the contract's reflection, and hold exactly the bindings that the entry point uses, so the slots
 //! of a dispatch are the entries of its bind groups.
+//!
+//! Overrides are applied to the module before wgpu sees it, by the same function of naga that wgpu would call later:
+//! wgpu holds only their defaults against the limits on workgroup size, and would hand the driver a workgroup that is
+//! too large. It does not check the size of workgroup memory at all, so that check stands here.
 
 use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
 use std::num::NonZeroU64;
 use std::sync::{Arc, Mutex};
 
-use sightlines_backend::{Access, Binding, DeviceError, Dispatch, Error, Program, Result};
+use naga::back::pipeline_constants::process_overrides;
+use naga::valid::ModuleInfo;
+use sightlines_backend::{Access, Binding, DeviceError, Dispatch, Entry, Error, Program, Result};
 use wgpu::{BindGroupLayout, BindGroupLayoutEntry, BindingType, BufferBindingType, ShaderStages};
 
 use crate::device::{Device, lock, words};
+
+/// Largest workgroup memory of a device with WebGPU's default limits, in bytes.
+const WORKGROUP_MEMORY: u64 = wgpu::Limits::defaults().max_compute_workgroup_storage_size as u64;
 
 /// Program id, entry point, and overrides with the bits of their values, sorted by name.
 type Key = (String, String, Vec<(String, u64)>);
@@ -47,15 +56,7 @@ impl Pipelines {
         if let Some(module) = modules.get(program.id()) {
             return Ok(module.clone());
         }
-        let module = device.scoped_as(
-            |error| refused(program.label(), error),
-            || {
-                Ok(device.raw().create_shader_module(wgpu::ShaderModuleDescriptor {
-                    label: Some(program.label()),
-                    source: wgpu::ShaderSource::Naga(Cow::Owned(program.module().clone())),
-                }))
-            },
-        )?;
+        let module = shader_module(device, program.label(), program.module().clone())?;
         modules.insert(program.id().to_owned(), module.clone());
         Ok(module)
     }
@@ -70,33 +71,79 @@ impl Pipelines {
         if let Some(pipeline) = pipelines.get(&key) {
             return Ok(Arc::clone(pipeline));
         }
-        let module = self.module(device, program)?;
-        let pipeline = Arc::new(compile(device, program, &module, dispatch, pipelines.len())?);
+        let entry = entry(program, &dispatch.entry)?;
+        let module = match specialise(program, dispatch)? {
+            Some(module) => shader_module(device, program.label(), module)?,
+            None => self.module(device, program)?,
+        };
+        let pipeline = Arc::new(compile(device, program, &module, entry, pipelines.len())?);
         pipelines.insert(key, Arc::clone(&pipeline));
         Ok(pipeline)
     }
+}
+
+fn entry<'a>(program: &'a Program, name: &str) -> Result<&'a Entry> {
+    program.entry(name).ok_or_else(|| {
+        let names = program.entries().iter().map(|e| e.name.as_str()).collect::<Vec<_>>().join(", ");
+        let what = format!("program `{}` has no entry point `{name}`", program.label());
+        Error::refused(what, format!("its entry points are: {names}"))
+    })
+}
+
+fn shader_module(device: &Device, label: &str, module: naga::Module) -> Result<wgpu::ShaderModule> {
+    let source = wgpu::ShaderSource::Naga(Cow::Owned(module));
+    let descriptor = wgpu::ShaderModuleDescriptor { label: Some(label), source };
+    device.scoped_as(|error| refused(label, error), || Ok(device.raw().create_shader_module(descriptor)))
+}
+
+/// The module with its overrides applied, where it has any, within the limit on workgroup memory.
+fn specialise(program: &Program, dispatch: &Dispatch) -> Result<Option<naga::Module>> {
+    let refuse = |reason| DeviceError::Compile { entry: format!("{}::{}", program.label(), dispatch.entry), reason };
+    let (module, info) = if program.module().overrides.is_empty() && dispatch.overrides.is_empty() {
+        (Cow::Borrowed(program.module()), Cow::Borrowed(program.info()))
+    } else {
+        let entry = Some((naga::ShaderStage::Compute, dispatch.entry.as_str()));
+        let constants = dispatch.overrides.iter().cloned().collect();
+        process_overrides(program.module(), program.info(), entry, &constants).map_err(|e| refuse(e.to_string()))?
+    };
+    let memory = workgroup_memory(&module, &info, &dispatch.entry);
+    if memory > WORKGROUP_MEMORY {
+        let reason = format!("it uses {memory} bytes of workgroup memory, a device has {WORKGROUP_MEMORY}");
+        return Err(refuse(reason).into());
+    }
+    Ok(match module {
+        Cow::Borrowed(_) => None,
+        Cow::Owned(module) => Some(module),
+    })
+}
+
+/// Workgroup memory of an entry point in bytes, counted as WebGPU counts it.
+fn workgroup_memory(module: &naga::Module, info: &ModuleInfo, entry: &str) -> u64 {
+    let Some(index) = module.entry_points.iter().position(|e| e.name == entry) else { return 0 };
+    let uses = info.get_entry_point(index);
+    let shared = |(handle, variable): &(naga::Handle<naga::GlobalVariable>, &naga::GlobalVariable)| {
+        variable.space == naga::AddressSpace::WorkGroup && !uses[*handle].is_empty()
+    };
+    let size = |variable: &naga::GlobalVariable| module.types[variable.ty].inner.size(module.to_ctx());
+    module.global_variables.iter().filter(shared).map(|(_, v)| u64::from(size(v)).next_multiple_of(16)).sum()
 }
 
 fn compile(
     device: &Device,
     program: &Program,
     module: &wgpu::ShaderModule,
-    dispatch: &Dispatch,
+    entry: &Entry,
     id: usize,
 ) -> Result<Pipeline> {
-    let entry = program.entry(&dispatch.entry).ok_or_else(|| {
-        let names = program.entries().iter().map(|e| e.name.as_str()).collect::<Vec<_>>().join(", ");
-        let what = format!("program `{}` has no entry point `{}`", program.label(), dispatch.entry);
-        Error::refused(what, format!("its entry points are: {names}"))
-    })?;
     let name = format!("{}::{}", program.label(), entry.name);
-    let constants = dispatch.overrides.iter().map(|(key, value)| (key.as_str(), *value)).collect::<Vec<_>>();
     device.scoped_as(
         |error| refused(&name, error),
         || {
             let used = entry.bindings.iter().map(|&index| &program.bindings()[index]);
             let layouts = layouts(device, used);
-            let groups = layouts.keys().next_back().map_or(0, |last| last + 1);
+            // A group beyond the limit makes one layout too many, which the device refuses.
+            let most = wgpu::Limits::defaults().max_bind_groups;
+            let groups = layouts.keys().next_back().map_or(0, |&last| last.min(most) + 1);
             let slots = (0..groups).map(|group| layouts.get(&group)).collect::<Vec<_>>();
             let layout = device.raw().create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
                 label: Some(&name),
@@ -108,10 +155,7 @@ fn compile(
                 layout: Some(&layout),
                 module,
                 entry_point: Some(&entry.name),
-                compilation_options: wgpu::PipelineCompilationOptions {
-                    constants: &constants,
-                    zero_initialize_workgroup_memory: true,
-                },
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
                 cache: None,
             });
             Ok(Pipeline { id, raw, layouts })

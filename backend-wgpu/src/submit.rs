@@ -38,6 +38,7 @@ impl<'a> WgpuSession<'a> {
         programs: &[Arc<Program>],
         buffers: &[BufferDesc],
     ) -> Result<Self> {
+        device.health()?;
         for program in programs {
             pipelines.module(device, program)?;
         }
@@ -247,4 +248,43 @@ fn allocate(device: &Device, desc: &BufferDesc) -> Result<Buffer> {
 
 fn unknown(what: &str, index: u32) -> Error {
     Error::refused(format!("there is no {what} {index} in the session"), "use an index into the job's own table")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn upload(offset: u64, size: u64) -> Command {
+        Command::Upload { buffer: BufferId(0), offset, bytes: vec![0; size as usize] }
+    }
+
+    /// Offset and size of each upload and `None` for each other command, submission by submission.
+    fn cut(commands: Vec<Command>) -> Vec<Vec<Option<(u64, u64)>>> {
+        let show = |step: &Step<'_>| match step {
+            Step::Upload { offset, bytes, .. } => Some((*offset, bytes.len() as u64)),
+            Step::Command(_) => None,
+        };
+        batches(&Recording { commands }).iter().map(|steps| steps.iter().map(show).collect()).collect()
+    }
+
+    #[test]
+    fn a_recording_of_few_uploads_is_one_submission() {
+        let clear = Command::Clear { buffer: BufferId(0), offset: 0, size: 4 };
+        let commands = vec![upload(0, CHUNK - 8), clear, upload(4, 8), upload(8, 0)];
+        assert_eq!(cut(commands), [vec![Some((0, CHUNK - 8)), None, Some((4, 8))]]);
+        assert_eq!(cut(vec![]), [vec![]]);
+    }
+
+    #[test]
+    fn large_uploads_are_cut_in_order() {
+        let clear = Command::Clear { buffer: BufferId(0), offset: 0, size: 4 };
+        let cut = cut(vec![upload(0, 4), upload(8, 2 * CHUNK + 4), clear, upload(0, 8)]);
+        let expected = [
+            vec![Some((0, 4))],
+            vec![Some((8, CHUNK))],
+            vec![Some((8 + CHUNK, CHUNK))],
+            vec![Some((8 + 2 * CHUNK, 4)), None, Some((0, 8))],
+        ];
+        assert_eq!(cut, expected);
+    }
 }
