@@ -62,7 +62,8 @@ fn small(name: &str, shape: Shape, mask: fn(u32, u32) -> u32, probes: &[u32]) ->
             words.extend([MARK; SLACK]);
             Expected::Whole(words)
         };
-        let pair = [marked(oracle::hidden(shape, &masks)), marked(oracle::visible(shape, &masks))];
+        let hidden = oracle::hidden(shape, &masks);
+        let pair = [marked(hidden.clone()), marked(oracle::visible(shape, &hidden))];
         Method::ALL.iter().flat_map(|_| pair.clone()).collect()
     };
     Case::new(name, Size::Small, job, expected).probes(probes.iter().copied())
@@ -82,8 +83,9 @@ fn real(name: String, shape: Shape, method: Method, masks: fn(Shape) -> Vec<u32>
         Ok(job)
     };
     let expected = move |_: &_| {
-        let masks = masks(shape);
-        vec![Expected::Whole(oracle::hidden(shape, &masks)), Expected::Whole(oracle::visible(shape, &masks))]
+        let hidden = oracle::hidden(shape, &masks(shape));
+        let visible = oracle::visible(shape, &hidden);
+        vec![Expected::Whole(hidden), Expected::Whole(visible)]
     };
     Case::new(name, Size::Real, job, expected).probes(probes.iter().copied())
 }

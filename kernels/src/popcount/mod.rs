@@ -71,12 +71,22 @@ impl Shape {
         self.samples.div_ceil(self.bits)
     }
 
-    fn check(&self) -> Result<()> {
-        if (1..=32).contains(&self.bits) && (1..=MAX_WORDS).contains(&self.words()) {
-            return Ok(());
+    fn check(&self, masks: u64, outputs: u64) -> Result<()> {
+        let Shape { receivers, samples, bits } = *self;
+        if !(1..=32).contains(&bits) || !(1..=MAX_WORDS).contains(&self.words()) {
+            let what = format!("masks of {samples} samples, {bits} a word");
+            return Err(Error::refused(
+                what,
+                format!("use 1 to 32 samples a word and 1 to {MAX_WORDS} words a receiver"),
+            ));
         }
-        let what = format!("masks of {} samples, {} a word", self.samples, self.bits);
-        Err(Error::refused(what, format!("use 1 to 32 samples a word and 1 to {MAX_WORDS} words a receiver")))
+        let (receivers, words) = (u64::from(receivers), u64::from(self.words()));
+        if masks < receivers * words || outputs < receivers {
+            let what =
+                format!("{masks} words of masks and {outputs} of output for {receivers} receivers of {words} words");
+            return Err(Error::refused(what, "give every receiver its words, and one word of each output"));
+        }
+        Ok(())
     }
 }
 
@@ -139,7 +149,7 @@ impl Popcount {
         hidden: Buffer<[u32]>,
         visible: Buffer<[u32]>,
     ) -> Result<()> {
-        shape.check()?;
+        shape.check(masks.len(), hidden.len().min(visible.len()))?;
         let Shape { receivers, samples, bits } = shape;
         let params = job.value("popcount params", &Params { receivers, words: shape.words(), samples, bits });
         let program = job.program(&self.program);

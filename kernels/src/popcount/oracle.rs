@@ -8,8 +8,8 @@ pub fn hidden(shape: Shape, masks: &[u32]) -> Vec<u32> {
     for word in 0..shape.words() {
         let samples = shape.bits.min(shape.samples - word * shape.bits);
         let plane = (word * shape.receivers) as usize;
-        for (count, mask) in hidden.iter_mut().zip(&masks[plane..]) {
-            for bit in 0..samples {
+        for bit in 0..samples {
+            for (count, mask) in hidden.iter_mut().zip(&masks[plane..]) {
                 *count += mask >> bit & 1;
             }
         }
@@ -17,9 +17,9 @@ pub fn hidden(shape: Shape, masks: &[u32]) -> Vec<u32> {
     hidden
 }
 
-/// Number of visible samples of every receiver.
-pub fn visible(shape: Shape, masks: &[u32]) -> Vec<u32> {
-    hidden(shape, masks).iter().map(|count| shape.samples - count).collect()
+/// Number of visible samples of every receiver: all that are not hidden.
+pub fn visible(shape: Shape, hidden: &[u32]) -> Vec<u32> {
+    hidden.iter().map(|count| shape.samples - count).collect()
 }
 
 #[cfg(test)]
@@ -43,7 +43,8 @@ mod tests {
         let shape = Shape { receivers: 2, samples: 40, bits: 31 };
         let masks = [u32::MAX; 4];
         assert_eq!(hidden(shape, &masks), [40, 40]);
-        assert_eq!(visible(shape, &masks), [0, 0]);
-        assert_eq!(visible(shape, &[0x8000_0000, 0, 0xffff_fe00, 1]), [40, 39]);
+        assert_eq!(visible(shape, &[40, 40]), [0, 0]);
+        assert_eq!(hidden(shape, &[0x8000_0000, 0, 0xffff_fe00, 1]), [0, 1]);
+        assert_eq!(visible(shape, &[0, 1]), [40, 39]);
     }
 }

@@ -68,14 +68,18 @@ fn largest(extent: Extent) -> Vec<Vec<u32>> {
 }
 
 /// Objects in pure colours, as the paper draws them: object i is 1 in channel i mod 4 and 0 in the others.
-fn pure_colours(extent: Extent) -> Vec<Vec<u32>> {
+fn colours(extent: Extent, channels: u32) -> Vec<Vec<u32>> {
     let pixels = screen::discs(extent.width, extent.height, 500, 3);
-    let channel = |channel: u32| pixels.iter().map(move |&p| u32::from(p != screen::BACKGROUND && p % 4 == channel));
-    (0..4).map(|c| channel(c).collect()).collect()
+    let shows = |pixel: u32, channel: u32| u32::from(pixel != screen::BACKGROUND && pixel % 4 == channel);
+    (0..channels).map(|channel| pixels.iter().map(|&pixel| shows(pixel, channel)).collect()).collect()
+}
+
+fn pure_colours(extent: Extent) -> Vec<Vec<u32>> {
+    colours(extent, 4)
 }
 
 fn one_colour(extent: Extent) -> Vec<Vec<u32>> {
-    pure_colours(extent).into_iter().take(1).collect()
+    colours(extent, 1)
 }
 
 /// Rectangles of all sizes, all over the image.

@@ -117,7 +117,7 @@ fn rectangle_sums(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let size = vec2<u32>(4u * params.fours, params.height);
-    let from = min(rectangles[id.x].xy, size);
-    let to = max(min(rectangles[id.x].zw, size), from);
-    sums[id.x] = corner(to.x, to.y) - corner(from.x, to.y) - corner(to.x, from.y) + corner(from.x, from.y);
+    let low = min(rectangles[id.x].xy, size);
+    let high = max(min(rectangles[id.x].zw, size), low);
+    sums[id.x] = corner(high.x, high.y) - corner(low.x, high.y) - corner(high.x, low.y) + corner(low.x, low.y);
 }
