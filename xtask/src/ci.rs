@@ -1,0 +1,31 @@
+//! `cargo xtask ci`: what continuous integration runs once the devices are installed.
+
+use std::io;
+
+use crate::run::{cargo, finish, workspace};
+use crate::{USAGE, say, test};
+
+const HELP: &str = "\
+Usage: cargo xtask ci [--require NAME]…
+
+Runs `cargo xtask test --require NAME…`, then `cargo fmt --check`, then `cargo clippy` with warnings denied. All three run,
+whichever fails; the exit code is the first that is not 0.";
+
+/// Runs all three steps.
+pub(crate) fn run(args: &[String]) -> u8 {
+    if args.iter().any(|a| a == "--help" || a == "-h") {
+        return say(io::stdout(), HELP, 0);
+    }
+    let tests = test::run(args);
+    if tests == USAGE {
+        return tests;
+    }
+    let step = |subcommand: &str, args: &[&str]| finish(cargo(subcommand).args(args).current_dir(workspace()).status());
+    let format = step("fmt", &["--all", "--check"]);
+    let clippy = step("clippy", &["--release", "--workspace", "--all-targets", "--", "-D", "warnings"]);
+    let steps = [("test", tests), ("fmt", format), ("clippy", clippy)];
+    for (name, code) in steps {
+        say(io::stdout(), &format!("{name}: {}", if code == 0 { "passed" } else { "FAILED" }), 0);
+    }
+    steps.into_iter().map(|(_, code)| code).find(|code| *code != 0).unwrap_or(0)
+}
