@@ -90,7 +90,9 @@ fn parse(linked: &Linked) -> Result<(naga::Module, ModuleInfo), ErrorKind> {
         let notes = e.notes().map(str::to_owned).collect();
         diagnose(linked, "parse", e.message(), &labels, notes)
     })?;
-    let info = Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module).map_err(|e| {
+    // Every WebGPU device has the functions that round to f16 within f32; naga counts them as a capability.
+    let capabilities = Capabilities::SHADER_FLOAT16_IN_FLOAT32;
+    let info = Validator::new(ValidationFlags::all(), capabilities).validate(&module).map_err(|e| {
         let labels = e.spans().cloned().collect::<Vec<_>>();
         let mut notes = Vec::new();
         let mut source = std::error::Error::source(e.as_inner());

@@ -53,7 +53,7 @@ pub fn coverage(files: &[Arc<File>]) -> Result<(), String> {
 
 fn collect(file: &File, reached: &mut BTreeSet<String>) -> Result<(), String> {
     let module = file.module();
-    let info = Validator::new(ValidationFlags::all(), Capabilities::empty())
+    let info = Validator::new(ValidationFlags::all(), Capabilities::SHADER_FLOAT16_IN_FLOAT32)
         .validate(module)
         .map_err(|e| e.emit_to_string(&file.text))?;
     for (handle, function) in module.functions.iter() {

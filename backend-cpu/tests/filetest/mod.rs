@@ -115,7 +115,8 @@ impl File {
             job.read(&tested.name, results);
         }
         let outputs = backend.run(&job).map_err(|e| e.to_string())?;
-        let wrong: Vec<String> = self.tested.iter().zip(&outputs).flat_map(|(t, bytes)| self.compare(t, bytes)).collect();
+        let wrong: Vec<String> =
+            self.tested.iter().zip(&outputs).flat_map(|(t, bytes)| self.compare(t, bytes)).collect();
         if wrong.is_empty() { Ok(()) } else { Err(wrong.join("\n")) }
     }
 

@@ -59,7 +59,8 @@ fn call(tested: &Tested, word: &dyn Fn(usize) -> String) -> String {
     let mut first = 0;
     let mut arguments = Vec::new();
     for parameter in &tested.parameters {
-        let scalars: Vec<String> = (0..parameter.words()).map(|i| typed(parameter.scalar.kind, &word(first + i))).collect();
+        let scalars: Vec<String> =
+            (0..parameter.words()).map(|i| typed(parameter.scalar.kind, &word(first + i))).collect();
         first += parameter.words();
         arguments.push(format!("{}({})", type_name(parameter), scalars.join(", ")));
     }
