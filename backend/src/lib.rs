@@ -27,7 +27,7 @@ pub use error::{DeviceError, Error, ErrorKind, Location, Trap, TrapKind};
 pub use front::CompileLimits;
 pub use kernel::{Case, Expected, Kernel, Size};
 pub use link::{Define, File, Linked, Sources};
-pub use program::{Access, Binding, Entry, Program};
+pub use program::{Access, Binding, Entry, Opaque, Program, Specialised};
 pub use recording::{BufferDesc, BufferId, Command, Dispatch, Groups, Job, ProgramId, Read, Recording, Slot};
 
 /// Version of the numerics contract. It is printed in every snapshot and changes whenever an output bit may change.

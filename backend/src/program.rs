@@ -1,16 +1,19 @@
 //! link → parse → validate → lint → reflect: one [`naga::Module`] for every backend.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use codespan_reporting::diagnostic::{Diagnostic, Label};
 use codespan_reporting::files::SimpleFiles;
 use codespan_reporting::term;
+use naga::back::pipeline_constants::process_overrides;
+use naga::common::wgsl::TypeContext;
 use naga::valid::ModuleInfo;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::error::{ErrorKind, Location};
 use crate::front::{self, CompileLimits};
-use crate::{Define, Linked, Result, Sources, lint};
+use crate::{Define, Error, Linked, Result, Sources, lint};
 
 /// How a kernel uses a binding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -47,6 +50,20 @@ pub struct Entry {
     pub workgroup_size: [u32; 3],
     /// Indices into [`Program::bindings`] of what it uses, sorted by group and binding.
     pub bindings: Vec<usize>,
+}
+
+/// A module with override values applied, and what the validator says of it.
+pub type Specialised<'a> = (Cow<'a, naga::Module>, Cow<'a, ModuleInfo>);
+
+/// A binding that is no buffer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Opaque {
+    /// Name of the variable.
+    pub name: String,
+    /// Its type, in WGSL.
+    pub kind: String,
+    /// Where it is declared.
+    pub location: Option<Location>,
 }
 
 /// A linked, validated and linted program.
@@ -132,6 +149,38 @@ impl Program {
     /// An entry point by name.
     pub fn entry(&self, name: &str) -> Option<&Entry> {
         self.entries.iter().find(|e| e.name == name)
+    }
+
+    /// The module and its info with override values applied and only `entry` kept: what a pipeline is made from.
+    ///
+    /// Values are named as in [`Dispatch::overrides`](crate::Dispatch::overrides). A program that has no overrides and
+    /// one entry point is borrowed.
+    pub fn specialise(&self, entry: &str, overrides: &[(String, f64)]) -> Result<Specialised<'_>> {
+        let fail = |reason: &str| {
+            let what = format!("`{entry}` of `{}` does not take these override values: {reason}", self.label);
+            Error::refused(what, "give each `override` without a default a value of its type, under its name or `@id`")
+        };
+        let values = overrides.iter().cloned().collect();
+        let stage = Some((naga::ShaderStage::Compute, entry));
+        let process = || process_overrides(&self.module, &self.info, stage, &values).map_err(|e| e.to_string());
+        let result = std::panic::catch_unwind(std::panic::AssertUnwindSafe(process));
+        result.unwrap_or_else(|_| Err("naga panicked on them".into())).map_err(|reason| fail(&reason))
+    }
+
+    /// Textures, samplers and other bindings that are no buffers and that `entry` uses. They are not among
+    /// [`Program::bindings`]; a backend that lacks them refuses with these lines.
+    pub fn opaque(&self, entry: &str) -> Vec<Opaque> {
+        let Some(index) = self.module.entry_points.iter().position(|e| e.name == entry) else { return Vec::new() };
+        let uses = self.info.get_entry_point(index);
+        let opaque = |space| matches!(space, naga::AddressSpace::Handle | naga::AddressSpace::Immediate);
+        let globals = self.module.global_variables.iter();
+        let used = globals.filter(|(handle, global)| opaque(global.space) && !uses[*handle].is_empty());
+        used.map(|(handle, global)| Opaque {
+            name: global.name.clone().unwrap_or_default(),
+            kind: self.module.to_ctx().type_to_string(global.ty),
+            location: self.locate(self.module.global_variables.get_span(handle)),
+        })
+        .collect()
     }
 
     /// The author's place of a span.
