@@ -29,13 +29,15 @@ struct Params {
 @group(0) @binding(0) var<uniform> params: Params;
 @group(0) @binding(1) var<storage, read> image: array<vec4<u32>>;
 @group(0) @binding(2) var<storage, read_write> table: array<vec4<u32>>;
-/// Row b: the last row of the table above band b + 1.
-@group(0) @binding(3) var<storage, read_write> carry: array<vec4<u32>>;
 /// The table by words.
-@group(0) @binding(4) var<storage, read> words: array<u32>;
+@group(0) @binding(3) var<storage, read_write> words: array<u32>;
+/// Row b: the row of the table just above band b + 1.
+@group(0) @binding(4) var<storage, read_write> carry: array<u32>;
+/// The table by words, once it is whole.
+@group(0) @binding(5) var<storage, read> whole: array<u32>;
 /// x0, y0, x1, y1.
-@group(0) @binding(5) var<storage, read> rectangles: array<vec4<u32>>;
-@group(0) @binding(6) var<storage, read_write> sums: array<u32>;
+@group(0) @binding(6) var<storage, read> rectangles: array<vec4<u32>>;
+@group(0) @binding(7) var<storage, read_write> sums: array<u32>;
 
 fn fetch(row: u32, column: u32) -> vec4<u32> {
     var four = vec4<u32>(0u);
@@ -79,26 +81,28 @@ fn bands(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_inde
 /// Sums over all bands above, by column: neighbouring lanes are neighbouring columns.
 @compute @workgroup_size(64)
 fn carries(@builtin(global_invocation_id) id: vec3<u32>) {
-    if (id.x >= params.fours) {
+    let width = 4u * params.fours;
+    if (id.x >= width) {
         return;
     }
-    var sum = vec4<u32>(0u);
+    var sum = 0u;
     for (var band = 0u; (band + 1u) * BAND < params.height; band += 1u) {
-        sum += table[((band + 1u) * BAND - 1u) * params.fours + id.x];
-        carry[band * params.fours + id.x] = sum;
+        sum += words[((band + 1u) * BAND - 1u) * width + id.x];
+        carry[band * width + id.x] = sum;
     }
 }
 
 /// Adds what stands above band `group.y + 1`.
 @compute @workgroup_size(256)
 fn add(@builtin(workgroup_id) group: vec3<u32>, @builtin(global_invocation_id) id: vec3<u32>) {
-    if (id.x >= params.fours) {
+    let width = 4u * params.fours;
+    if (id.x >= width) {
         return;
     }
-    let above = carry[group.y * params.fours + id.x];
+    let above = carry[group.y * width + id.x];
     let end = min((group.y + 2u) * BAND, params.height);
     for (var row = (group.y + 1u) * BAND; row < end; row += 1u) {
-        table[row * params.fours + id.x] += above;
+        words[row * width + id.x] += above;
     }
 }
 
@@ -106,7 +110,7 @@ fn add(@builtin(workgroup_id) group: vec3<u32>, @builtin(global_invocation_id) i
 fn corner(x: u32, y: u32) -> u32 {
     var sum = 0u;
     if (x > 0u && y > 0u) {
-        sum = words[(y - 1u) * 4u * params.fours + x - 1u];
+        sum = whole[(y - 1u) * 4u * params.fours + x - 1u];
     }
     return sum;
 }

@@ -90,16 +90,16 @@ bindings! {
     /// What `carries` and `add` are given.
     pub struct Carry {
         uniform params @ 0: Params,
-        write table @ 2: [UVec4],
-        write carry @ 3: [UVec4],
+        write words @ 3: [u32],
+        write carry @ 4: [u32],
     }
 
     /// What `rectangle_sums` is given.
     pub struct Rectangles {
         uniform params @ 0: Params,
-        read words @ 4: [u32],
-        read rectangles @ 5: [UVec4],
-        write sums @ 6: [u32],
+        read whole @ 5: [u32],
+        read rectangles @ 6: [UVec4],
+        write sums @ 7: [u32],
     }
 }
 
@@ -125,14 +125,14 @@ impl Sat {
         let fours = extent.width / 4;
         let bands = extent.height.div_ceil(BAND).max(1);
         let params = job.value("sat params", &Params { fours, height: extent.height, rectangles: 0 });
-        let (image, table) = (by_fours(image), by_fours(table));
         let program = job.program(&self.program);
-        job.launch(program, "bands", &Bands { params, image, table }, [bands, 1, 1]);
+        let bound = Bands { params, image: by_fours(image), table: by_fours(table) };
+        job.launch(program, "bands", &bound, [bands, 1, 1]);
         if bands > 1 {
-            let carry = job.zeroed("sat carry", u64::from(bands - 1) * u64::from(fours));
-            let bound = Carry { params, table, carry };
-            job.launch(program, "carries", &bound, [fours.div_ceil(64), 1, 1]);
-            job.launch(program, "add", &bound, [fours.div_ceil(256), bands - 1, 1]);
+            let carry = job.zeroed("sat carry", u64::from(bands - 1) * u64::from(extent.width));
+            let bound = Carry { params, words: table, carry };
+            job.launch(program, "carries", &bound, [extent.width.div_ceil(64), 1, 1]);
+            job.launch(program, "add", &bound, [extent.width.div_ceil(256), bands - 1, 1]);
         }
         Ok(())
     }
@@ -155,7 +155,7 @@ impl Sat {
         let params = Params { fours: extent.width / 4, height: extent.height, rectangles: count };
         let params = job.value("sat rectangle params", &params);
         let program = job.program(&self.program);
-        let bound = Rectangles { params, words: table, rectangles, sums };
+        let bound = Rectangles { params, whole: table, rectangles, sums };
         job.launch(program, "rectangle_sums", &bound, [count.div_ceil(256).max(1), 1, 1]);
         Ok(())
     }

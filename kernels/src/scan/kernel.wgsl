@@ -16,18 +16,11 @@ import package::shared::block_scan::{block_scan, prefix4};
 
 /// Which of the two sums.
 const INCLUSIVE: bool = true;
-/// Fours a workgroup: 4096 words.
-const TILE: u32 = 1024u;
+/// Words a workgroup.
+const TILE: u32 = 4096u;
 
 struct Params {
     count: u32,
-}
-
-struct Tile {
-    a: vec4<u32>,
-    b: vec4<u32>,
-    c: vec4<u32>,
-    d: vec4<u32>,
 }
 
 @group(0) @binding(0) var<uniform> params: Params;
@@ -37,6 +30,8 @@ struct Tile {
 /// What precedes every tile.
 @group(0) @binding(3) var<storage, read> carries: array<u32>;
 @group(0) @binding(4) var<storage, read_write> output: array<vec4<u32>>;
+/// The input by words.
+@group(0) @binding(5) var<storage, read> words: array<u32>;
 
 var<workgroup> lane_sums: array<u32, 256>;
 var<workgroup> row_sums: array<u32, 16>;
@@ -46,7 +41,7 @@ fn present(place: u32) -> vec4<bool> {
     return 4u * place + vec4<u32>(0u, 1u, 2u, 3u) < vec4<u32>(params.count);
 }
 
-/// Four words, with 0 for those past the end. `whole` says that the workgroup's tile has no end.
+/// Four words, with 0 for those past the end. `whole` says that the end is not in the workgroup's tile.
 fn fetch(place: u32, whole: bool) -> vec4<u32> {
     if (whole) {
         return input[place];
@@ -68,25 +63,21 @@ fn emit(place: u32, whole: bool, before: u32, own: vec4<u32>, four: vec4<u32>) {
     }
 }
 
-/// Lane l holds the fours l, l + 256, l + 512 and l + 768 of the tile: neighbours read neighbouring words.
-fn fetch_tile(first: u32, whole: bool) -> Tile {
-    return Tile(
-        fetch(first, whole),
-        fetch(first + 256u, whole),
-        fetch(first + 512u, whole),
-        fetch(first + 768u, whole),
-    );
-}
-
 fn is_whole(tile: u32) -> bool {
-    return 4u * TILE * (tile + 1u) <= params.count;
+    return TILE * (tile + 1u) <= params.count;
 }
 
 @compute @workgroup_size(256)
 fn reduce(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    let tile = fetch_tile(group.x * TILE + lane, is_whole(group.x));
-    let four = tile.a + tile.b + tile.c + tile.d;
-    lane_sums[lane] = four.x + four.y + four.z + four.w;
+    let first = group.x * TILE;
+    let end = min(first + TILE, params.count);
+    var own = 0u;
+    for (var row = first; row < end; row += 256u) {
+        if (row + lane < end) {
+            own += words[row + lane];
+        }
+    }
+    lane_sums[lane] = own;
     workgroupBarrier();
     if (lane < 16u) {
         var sum = 0u;
@@ -105,18 +96,22 @@ fn reduce(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
     }
 }
 
+/// Lane l scans the fours l, l + 256, l + 512 and l + 768 of its tile: neighbours take neighbouring words.
 @compute @workgroup_size(256)
 fn scan(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    let first = group.x * TILE + lane;
+    let first = group.x * TILE / 4u + lane;
     let whole = is_whole(group.x);
-    let tile = fetch_tile(first, whole);
-    let a = prefix4(tile.a);
-    let b = prefix4(tile.b);
-    let c = prefix4(tile.c);
-    let d = prefix4(tile.d);
-    let before = block_scan(lane, vec4<u32>(a.w, b.w, c.w, d.w)) + carries[group.x];
-    emit(first, whole, before.x, a, tile.a);
-    emit(first + 256u, whole, before.y, b, tile.b);
-    emit(first + 512u, whole, before.z, c, tile.c);
-    emit(first + 768u, whole, before.w, d, tile.d);
+    let a = fetch(first, whole);
+    let b = fetch(first + 256u, whole);
+    let c = fetch(first + 512u, whole);
+    let d = fetch(first + 768u, whole);
+    let sum_a = prefix4(a);
+    let sum_b = prefix4(b);
+    let sum_c = prefix4(c);
+    let sum_d = prefix4(d);
+    let before = block_scan(lane, vec4<u32>(sum_a.w, sum_b.w, sum_c.w, sum_d.w)) + carries[group.x];
+    emit(first, whole, before.x, sum_a, a);
+    emit(first + 256u, whole, before.y, sum_b, b);
+    emit(first + 512u, whole, before.z, sum_c, c);
+    emit(first + 768u, whole, before.w, sum_d, d);
 }

@@ -52,7 +52,7 @@ bindings! {
     /// What `reduce` is given.
     pub struct Reduce {
         uniform params @ 0: Params,
-        read input @ 1: [UVec4],
+        read words @ 5: [u32],
         write sums @ 2: [u32],
     }
 
@@ -115,7 +115,7 @@ impl Scan {
         if tiles > 1 {
             let sums = job.zeroed("scan sums", carries.len());
             let program = job.program(&self.exclusive);
-            job.launch(program, "reduce", &Reduce { params, input: fours(input), sums }, groups);
+            job.launch(program, "reduce", &Reduce { params, words: input, sums }, groups);
             self.level(job, Kind::Exclusive, tiles, sums, carries);
         }
         let program = job.program(match kind {
