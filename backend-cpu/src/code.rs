@@ -1,0 +1,458 @@
+//! Register code: instructions, operands and their disassembly.
+//!
+//! A vector register is a row of one 32-bit word a lane, a scalar register one word for the whole gang. Truth values are
+//! 0 or all ones. Instructions are verified when they are built (registers, slots and targets in range), so execution
+//! can index without further thought.
+
+use std::fmt;
+
+/// Where a load, store or atomic goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Mem {
+    /// A bound buffer, by its place in the entry point's bindings.
+    Buffer(u8),
+    /// Workgroup memory.
+    Workgroup,
+    /// Private and function memory that is indexed at run time: one column a lane.
+    Private,
+}
+
+/// Operations on one word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs, reason = "named as the WGSL operators and builtins they are")]
+pub enum UnOp {
+    Move,
+    Not,
+    NegI,
+    AbsI,
+    SignI,
+    NegF,
+    AbsF,
+    SignF,
+    Floor,
+    Ceil,
+    Trunc,
+    Round,
+    Sqrt,
+    InverseSqrt,
+    FloatToInt,
+    FloatToUint,
+    IntToFloat,
+    UintToFloat,
+    CountOneBits,
+    CountLeadingZeros,
+    CountTrailingZeros,
+    ReverseBits,
+    FirstLeadingBitI,
+    FirstLeadingBitU,
+    FirstTrailingBit,
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan,
+    Sinh,
+    Cosh,
+    Tanh,
+    Asinh,
+    Acosh,
+    Atanh,
+    Exp,
+    Exp2,
+    Log,
+    Log2,
+    QuantizeToF16,
+    PackHalf,
+    UnpackHalf,
+    PackSnorm8,
+    PackUnorm8,
+    PackSnorm16,
+    PackUnorm16,
+    FrexpFraction,
+    FrexpExponent,
+}
+
+/// Operations on two words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs, reason = "named as the WGSL operators and builtins they are")]
+pub enum BinOp {
+    Add,
+    Sub,
+    Mul,
+    And,
+    Or,
+    Xor,
+    Shl,
+    ShrU,
+    ShrI,
+    DivU,
+    DivI,
+    RemU,
+    RemI,
+    MinU,
+    MaxU,
+    MinI,
+    MaxI,
+    Eq,
+    Ne,
+    LtU,
+    LeU,
+    LtI,
+    LeI,
+    AddF,
+    SubF,
+    MulF,
+    DivF,
+    RemF,
+    MinF,
+    MaxF,
+    EqF,
+    NeF,
+    LtF,
+    LeF,
+    Atan2,
+    Pow,
+    Ldexp,
+}
+
+/// Operations on three words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs, reason = "named as the WGSL builtins they are")]
+pub enum TernOp {
+    /// `a` where the third operand is true, else `b`: operands are (condition, accept, reject).
+    Select,
+    Fma,
+}
+
+/// Read-modify-write operations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs, reason = "named as the WGSL builtins they are")]
+pub enum AtomicOp {
+    Add,
+    Sub,
+    And,
+    Or,
+    Xor,
+    MinU,
+    MaxU,
+    MinI,
+    MaxI,
+    Exchange,
+    CompareExchange,
+}
+
+/// An operand: a vector register, or a scalar register that every lane shares.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Reg(u16);
+
+const SCALAR: u16 = 1 << 15;
+
+impl Reg {
+    /// Vector register `index`.
+    pub const fn vector(index: u16) -> Self {
+        Reg(index)
+    }
+
+    /// Scalar register `index`.
+    pub const fn scalar(index: u16) -> Self {
+        Reg(index | SCALAR)
+    }
+
+    /// Whether all lanes share it.
+    #[inline(always)]
+    pub const fn is_scalar(self) -> bool {
+        self.0 & SCALAR != 0
+    }
+
+    /// Its number in its file.
+    #[inline(always)]
+    pub const fn index(self) -> usize {
+        (self.0 & !SCALAR) as usize
+    }
+}
+
+impl fmt::Debug for Reg {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}{}", if self.is_scalar() { 's' } else { 'v' }, self.index())
+    }
+}
+
+/// A saved mask.
+pub type Slot = u8;
+
+/// Index of an instruction.
+pub type Target = u32;
+
+/// One instruction. It works on all lanes of a gang; only those marked *masked* look at which are active.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "operands are named by their role")]
+pub enum Inst<R = Reg> {
+    Un {
+        op: UnOp,
+        dst: R,
+        a: R,
+    },
+    Bin {
+        op: BinOp,
+        dst: R,
+        a: R,
+        b: R,
+    },
+    Tern {
+        op: TernOp,
+        dst: R,
+        a: R,
+        b: R,
+        c: R,
+    },
+    /// Masked copy.
+    Blend {
+        dst: R,
+        a: R,
+    },
+    /// `dst = min(index, length - 1)`; trapping runs test active lanes.
+    Check {
+        dst: R,
+        index: R,
+        length: R,
+        site: u32,
+    },
+    ArrayLength {
+        dst: R,
+        buffer: u8,
+        offset: u32,
+        stride: u32,
+    },
+    Load {
+        dst: R,
+        mem: Mem,
+        addr: R,
+        offset: u32,
+        site: u32,
+    },
+    /// Masked.
+    Store {
+        mem: Mem,
+        addr: R,
+        value: R,
+        offset: u32,
+        site: u32,
+    },
+    /// Private memory only; not masked.
+    Zero {
+        offset: u32,
+        count: u32,
+    },
+    /// Masked, lanes in order. `dst` and `compare` stand in [`Code::atomics`].
+    Atomic {
+        index: u32,
+    },
+    Barrier {
+        site: u32,
+    },
+    Tally {
+        index: u32,
+    },
+    Jump {
+        to: Target,
+    },
+    /// Scalar condition.
+    JumpIf {
+        cond: R,
+        is: bool,
+        to: Target,
+    },
+    /// `slot = exec; exec &= cond`, and a jump when no lane is left.
+    If {
+        cond: R,
+        slot: Slot,
+        to: Target,
+    },
+    /// `exec = slot & !cond`, and a jump when no lane is left.
+    Else {
+        cond: R,
+        slot: Slot,
+        to: Target,
+    },
+    /// `exec = slot`, and a jump when no lane is left.
+    Restore {
+        slot: Slot,
+        to: Target,
+    },
+    /// `slot = exec`.
+    Save {
+        slot: Slot,
+    },
+    /// `slot &= !exec`.
+    Drop {
+        slot: Slot,
+    },
+    /// No lane is active any more: `exec = 0`, then a jump.
+    Leave {
+        to: Target,
+    },
+    /// Lanes whose `cond` is `is` leave the loop: `live` and `exec` lose them; a jump when no lane is left.
+    Exit {
+        cond: R,
+        is: bool,
+        live: Slot,
+        to: Target,
+    },
+    /// A back-edge: fuel, then a jump.
+    Back {
+        to: Target,
+    },
+    End,
+}
+
+/// Operands of an [`Inst::Atomic`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct AtomicArgs<R = Reg> {
+    /// The operation.
+    pub op: AtomicOp,
+    /// The memory.
+    pub mem: Mem,
+    /// Word address.
+    pub addr: R,
+    /// Words added to it.
+    pub offset: u32,
+    /// Operand.
+    pub value: R,
+    /// Comparand.
+    pub compare: Option<R>,
+    /// Where the old value goes.
+    pub dst: Option<R>,
+    /// Source line.
+    pub site: u32,
+}
+
+impl<R: Copy> Inst<R> {
+    /// Calls `f` with each register, reads first; the flag is true for the one that is written.
+    pub(crate) fn registers(&self, atomics: &[AtomicArgs<R>], mut f: impl FnMut(R, bool)) {
+        if let Inst::Atomic { index } = self {
+            let args = &atomics[*index as usize];
+            f(args.addr, false);
+            f(args.value, false);
+            args.compare.into_iter().for_each(|r| f(r, false));
+            args.dst.into_iter().for_each(|r| f(r, true));
+        }
+        let _ = self.map(&mut |r, write| f(r, write));
+    }
+
+    /// The same instruction on other registers. The operands of an atomic stand elsewhere and are left alone.
+    pub(crate) fn map<Q>(&self, f: &mut impl FnMut(R, bool) -> Q) -> Inst<Q> {
+        match *self {
+            Inst::Un { op, dst, a } => {
+                let a = f(a, false);
+                Inst::Un { op, dst: f(dst, true), a }
+            }
+            Inst::Bin { op, dst, a, b } => {
+                let (a, b) = (f(a, false), f(b, false));
+                Inst::Bin { op, dst: f(dst, true), a, b }
+            }
+            Inst::Tern { op, dst, a, b, c } => {
+                let (a, b, c) = (f(a, false), f(b, false), f(c, false));
+                Inst::Tern { op, dst: f(dst, true), a, b, c }
+            }
+            Inst::Blend { dst, a } => {
+                let a = f(a, false);
+                Inst::Blend { dst: f(dst, true), a }
+            }
+            Inst::Check { dst, index, length, site } => {
+                let (index, length) = (f(index, false), f(length, false));
+                Inst::Check { dst: f(dst, true), index, length, site }
+            }
+            Inst::ArrayLength { dst, buffer, offset, stride } => {
+                Inst::ArrayLength { dst: f(dst, true), buffer, offset, stride }
+            }
+            Inst::Load { dst, mem, addr, offset, site } => {
+                let addr = f(addr, false);
+                Inst::Load { dst: f(dst, true), mem, addr, offset, site }
+            }
+            Inst::Store { mem, addr, value, offset, site } => {
+                Inst::Store { mem, addr: f(addr, false), value: f(value, false), offset, site }
+            }
+            Inst::Atomic { index } => Inst::Atomic { index },
+            Inst::JumpIf { cond, is, to } => Inst::JumpIf { cond: f(cond, false), is, to },
+            Inst::If { cond, slot, to } => Inst::If { cond: f(cond, false), slot, to },
+            Inst::Else { cond, slot, to } => Inst::Else { cond: f(cond, false), slot, to },
+            Inst::Exit { cond, is, live, to } => Inst::Exit { cond: f(cond, false), is, live, to },
+            Inst::Zero { offset, count } => Inst::Zero { offset, count },
+            Inst::Barrier { site } => Inst::Barrier { site },
+            Inst::Tally { index } => Inst::Tally { index },
+            Inst::Jump { to } => Inst::Jump { to },
+            Inst::Restore { slot, to } => Inst::Restore { slot, to },
+            Inst::Save { slot } => Inst::Save { slot },
+            Inst::Drop { slot } => Inst::Drop { slot },
+            Inst::Leave { to } => Inst::Leave { to },
+            Inst::Back { to } => Inst::Back { to },
+            Inst::End => Inst::End,
+        }
+    }
+
+    /// Where a jump goes.
+    pub(crate) fn target_mut(&mut self) -> Option<&mut Target> {
+        match self {
+            Inst::Jump { to }
+            | Inst::JumpIf { to, .. }
+            | Inst::If { to, .. }
+            | Inst::Else { to, .. }
+            | Inst::Restore { to, .. }
+            | Inst::Leave { to }
+            | Inst::Exit { to, .. }
+            | Inst::Back { to } => Some(to),
+            _ => None,
+        }
+    }
+}
+
+/// A built-in that is written to a register before the first instruction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Input {
+    pub(crate) builtin: crate::lower::Builtin,
+    pub(crate) reg: Reg,
+}
+
+/// Executable code of one entry point with its overrides applied.
+#[derive(Debug)]
+pub struct Code {
+    pub(crate) insts: Vec<Inst>,
+    pub(crate) atomics: Vec<AtomicArgs>,
+    pub(crate) inputs: Vec<Input>,
+    /// Scalar registers that hold constants: they come first in the scalar file.
+    pub(crate) constants: Vec<u32>,
+    pub(crate) vectors: usize,
+    pub(crate) scalars: usize,
+    pub(crate) slots: usize,
+    pub(crate) workgroup_size: [u32; 3],
+    pub(crate) workgroup_words: u32,
+    pub(crate) private_words: u32,
+    /// Several workgroups may share a gang: there is no barrier and no workgroup memory.
+    pub(crate) mergeable: bool,
+    pub(crate) sites: Vec<naga::Span>,
+    pub(crate) costs: Vec<crate::lower::Cost>,
+}
+
+impl fmt::Display for Code {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [x, y, z] = self.workgroup_size;
+        writeln!(f, "; workgroup {x} x {y} x {z}, {} vector and {} scalar registers", self.vectors, self.scalars)?;
+        if self.workgroup_words + self.private_words > 0 {
+            writeln!(f, "; {} words of workgroup memory, {} private", self.workgroup_words, self.private_words)?;
+        }
+        for (index, value) in self.constants.iter().enumerate() {
+            writeln!(f, "{:?} = {value:#x}", Reg::scalar(index as u16))?;
+        }
+        for input in &self.inputs {
+            writeln!(f, "{:?} = {:?}", input.reg, input.builtin)?;
+        }
+        for (index, inst) in self.insts.iter().enumerate() {
+            match inst {
+                Inst::Atomic { index: args } => writeln!(f, "{index:5}  {:?}", self.atomics[*args as usize])?,
+                _ => writeln!(f, "{index:5}  {inst:?}")?,
+            }
+        }
+        Ok(())
+    }
+}

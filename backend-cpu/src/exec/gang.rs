@@ -1,0 +1,361 @@
+//! Runs the code of one gang: fetch, match, work on all lanes.
+
+use std::cell::Cell;
+
+use fearless_simd::Simd;
+
+use super::alu::{self, Chunk, Rows};
+use super::mask::{CHUNK, Exec, Mask};
+use super::memory::{self, Outside, Private, SharedWord};
+use crate::code::{AtomicArgs, Code, Inst, Mem, Reg};
+use crate::lower::Builtin;
+use crate::semantics;
+
+/// A bound buffer range.
+#[derive(Clone, Copy)]
+pub(super) enum View<'a, W> {
+    /// Read by this dispatch and written by none of its bindings.
+    Read(&'a [u32]),
+    /// Written.
+    Write(&'a [W]),
+}
+
+impl<W> View<'_, W> {
+    fn len(&self) -> u32 {
+        match self {
+            View::Read(words) => words.len() as u32,
+            View::Write(words) => words.len() as u32,
+        }
+    }
+}
+
+/// What a whole dispatch shares.
+pub(super) struct Launch<'a, W> {
+    pub(super) code: &'a Code,
+    pub(super) views: Vec<View<'a, W>>,
+    pub(super) groups: [u32; 3],
+    /// Workgroups of one gang.
+    pub(super) merged: u32,
+    /// Lanes of one gang, a multiple of 16.
+    pub(super) lanes: usize,
+    pub(super) trap: bool,
+    pub(super) fuel: u64,
+    /// For each input the part that depends on the lane only.
+    pub(super) tables: Vec<Vec<u32>>,
+}
+
+/// Why a gang stopped.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Stop {
+    Outside { at: Outside, site: u32 },
+    OutOfFuel,
+    Barrier { site: u32 },
+}
+
+/// How often a straight run of code was executed.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Tally {
+    pub(super) invocations: u64,
+    pub(super) workgroups: u64,
+}
+
+impl Tally {
+    pub(super) fn plus(self, other: Self) -> Self {
+        Tally { invocations: self.invocations + other.invocations, workgroups: self.workgroups + other.workgroups }
+    }
+}
+
+/// One thread's registers and memory, used for one gang after the other.
+pub(super) struct Worker {
+    vectors: Vec<Chunk>,
+    scalars: Vec<u32>,
+    slots: Vec<Mask>,
+    workgroup: Vec<u32>,
+    private: Vec<u32>,
+    pub(super) tallies: Vec<Tally>,
+}
+
+impl Worker {
+    pub(super) fn new(code: &Code, lanes: usize) -> Self {
+        let mut scalars = code.constants.clone();
+        scalars.resize(code.scalars.max(scalars.len()), 0);
+        Worker {
+            vectors: vec![Chunk::default(); code.vectors * lanes / CHUNK],
+            scalars,
+            slots: vec![Mask::default(); code.slots],
+            workgroup: vec![0; code.workgroup_words as usize],
+            private: vec![0; code.private_words as usize * lanes],
+            tallies: vec![Tally::default(); code.costs.len()],
+        }
+    }
+
+    /// Runs the workgroups from `first` on, as many as a gang holds and the grid has.
+    pub(super) fn run<S: Simd, W: SharedWord>(
+        &mut self,
+        s: S,
+        launch: &Launch<'_, W>,
+        first: [u32; 3],
+    ) -> Result<(), Stop> {
+        let count = launch.merged.min(launch.groups[0] - first[0]);
+        let size: u32 = launch.code.workgroup_size.iter().product();
+        self.workgroup.fill(0);
+        let mut gang = Gang {
+            s,
+            launch,
+            vectors: Cell::from_mut(&mut self.vectors[..]).as_slice_of_cells(),
+            scalars: Cell::from_mut(&mut self.scalars[..]).as_slice_of_cells(),
+            slots: &mut self.slots,
+            workgroup: Cell::from_mut(&mut self.workgroup[..]).as_slice_of_cells(),
+            private: Private { words: Cell::from_mut(&mut self.private[..]).as_slice_of_cells(), lanes: launch.lanes },
+            tallies: &mut self.tallies,
+            exec: Exec::new((count * size) as usize),
+            fuel: launch.fuel,
+            count,
+        };
+        gang.inputs(first);
+        gang.run()
+    }
+}
+
+struct Gang<'a, S, W> {
+    s: S,
+    launch: &'a Launch<'a, W>,
+    vectors: &'a [Cell<Chunk>],
+    scalars: &'a [Cell<u32>],
+    slots: &'a mut [Mask],
+    workgroup: &'a [Cell<u32>],
+    private: Private<'a>,
+    tallies: &'a mut [Tally],
+    exec: Exec,
+    fuel: u64,
+    /// Workgroups in this gang.
+    count: u32,
+}
+
+impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
+    #[inline(always)]
+    fn rows(&self) -> Rows<'_> {
+        Rows {
+            vectors: self.vectors,
+            scalars: self.scalars,
+            chunks: self.launch.lanes / CHUNK,
+            low: self.exec.low,
+            high: self.exec.high,
+        }
+    }
+
+    #[inline(always)]
+    fn scalar(&self, register: Reg) -> u32 {
+        self.scalars[register.index()].get()
+    }
+
+    #[inline(always)]
+    fn set_scalar(&self, register: Reg, word: u32) {
+        self.scalars[register.index()].set(word);
+    }
+
+    fn inputs(&self, first: [u32; 3]) {
+        let code = self.launch.code;
+        for (input, table) in code.inputs.iter().zip(&self.launch.tables) {
+            let base = match input.builtin {
+                Builtin::LocalId(_) | Builtin::LocalIndex => 0,
+                Builtin::GroupId(axis) => first[axis as usize],
+                Builtin::NumGroups(axis) => self.launch.groups[axis as usize],
+                Builtin::GlobalId(axis) => first[axis as usize].wrapping_mul(code.workgroup_size[axis as usize]),
+            };
+            if input.reg.is_scalar() {
+                self.set_scalar(input.reg, base);
+                continue;
+            }
+            for (cell, table) in self.rows().row(input.reg).iter().zip(table.chunks_exact(CHUNK)) {
+                cell.set(Chunk(std::array::from_fn(|i| table[i].wrapping_add(base))));
+            }
+        }
+    }
+
+    fn run(&mut self) -> Result<(), Stop> {
+        let code = self.launch.code;
+        let mut pc = 0usize;
+        loop {
+            let inst = code.insts[pc];
+            pc += 1;
+            match inst {
+                Inst::Un { op, dst, a } if dst.is_scalar() => {
+                    self.set_scalar(dst, semantics::unary(op, self.scalar(a)));
+                }
+                Inst::Un { op, dst, a } => alu::unary(self.s, self.rows(), op, dst, a),
+                Inst::Bin { op, dst, a, b } if dst.is_scalar() => {
+                    self.set_scalar(dst, semantics::binary(op, self.scalar(a), self.scalar(b)));
+                }
+                Inst::Bin { op, dst, a, b } => alu::binary(self.s, self.rows(), op, dst, a, b),
+                Inst::Tern { op, dst, a, b, c } if dst.is_scalar() => {
+                    self.set_scalar(dst, semantics::ternary(op, self.scalar(a), self.scalar(b), self.scalar(c)));
+                }
+                Inst::Tern { op, dst, a, b, c } => alu::ternary(self.s, self.rows(), op, dst, [a, b, c]),
+                Inst::Blend { dst, a } => alu::blend(self.s, self.rows(), &self.exec, dst, a),
+                Inst::Check { dst, index, length, site } => self.check(dst, index, length, site)?,
+                Inst::ArrayLength { dst, buffer, offset, stride } => {
+                    let words = self.launch.views[buffer as usize].len();
+                    self.set_scalar(dst, words.saturating_sub(offset) / stride.max(1));
+                }
+                Inst::Load { dst, mem, addr, offset, site } => self.load(dst, mem, addr, offset, site)?,
+                Inst::Store { mem, addr, value, offset, site } => self.store(mem, addr, value, offset, site)?,
+                Inst::Zero { offset, count } => self.private.zero(offset, count),
+                Inst::Atomic { index } => self.atomic(&code.atomics[index as usize])?,
+                Inst::Barrier { site } => {
+                    if self.launch.trap && !self.exec.full {
+                        return Err(Stop::Barrier { site });
+                    }
+                }
+                Inst::Tally { index } => self.tally(index as usize),
+                Inst::Jump { to } => pc = to as usize,
+                Inst::JumpIf { cond, is, to } => {
+                    if (self.scalar(cond) != 0) == is {
+                        pc = to as usize;
+                    }
+                }
+                Inst::Back { to } => {
+                    if self.fuel == 0 {
+                        return Err(Stop::OutOfFuel);
+                    }
+                    self.fuel -= 1;
+                    pc = to as usize;
+                }
+                Inst::End => return Ok(()),
+                masked => {
+                    if let Some(to) = self.control(masked) {
+                        pc = to;
+                    }
+                }
+            }
+        }
+    }
+
+    /// Changes the active lanes; where to go when none is left.
+    fn control(&mut self, inst: Inst) -> Option<usize> {
+        let to = match inst {
+            Inst::If { cond, slot, to } => {
+                self.slots[slot as usize] = self.exec.mask;
+                let lanes = alu::test(self.s, self.rows(), &self.exec, cond);
+                self.exec.set(lanes);
+                to
+            }
+            Inst::Else { cond, slot, to } => {
+                // The condition is tested on the lanes that are saved, whichever of them are active now.
+                self.exec.set(self.slots[slot as usize]);
+                let lanes = alu::test(self.s, self.rows(), &self.exec, cond);
+                self.exec.set(self.exec.mask.and_not(lanes));
+                to
+            }
+            Inst::Restore { slot, to } => {
+                self.exec.set(self.slots[slot as usize]);
+                to
+            }
+            Inst::Save { slot } => {
+                self.slots[slot as usize] = self.exec.mask;
+                return None;
+            }
+            Inst::Drop { slot } => {
+                self.slots[slot as usize] = self.slots[slot as usize].and_not(self.exec.mask);
+                return None;
+            }
+            Inst::Leave { to } => {
+                self.exec.set(Mask::default());
+                to
+            }
+            Inst::Exit { cond, is, live, to } => {
+                let lanes = alu::test(self.s, self.rows(), &self.exec, cond);
+                let leaving = if is { lanes } else { self.exec.mask.and_not(lanes) };
+                self.slots[live as usize] = self.slots[live as usize].and_not(leaving);
+                self.exec.set(self.exec.mask.and_not(leaving));
+                to
+            }
+            _ => return None,
+        };
+        self.exec.mask.is_empty().then_some(to as usize)
+    }
+
+    fn stop(&self, outside: Option<Outside>, site: u32) -> Result<(), Stop> {
+        match outside {
+            Some(at) if self.launch.trap => Err(Stop::Outside { at, site }),
+            _ => Ok(()),
+        }
+    }
+
+    fn first_lane(&self) -> usize {
+        self.exec.mask.first_lane().unwrap_or(0)
+    }
+
+    fn check(&self, dst: Reg, index: Reg, length: Reg, site: u32) -> Result<(), Stop> {
+        let length = self.scalar(length);
+        let outside = if dst.is_scalar() {
+            let index = self.scalar(index);
+            self.set_scalar(dst, index.min(length.wrapping_sub(1)));
+            (index >= length).then(|| Outside { lane: self.first_lane(), index, length })
+        } else {
+            let wrong = alu::check(self.s, self.rows(), &self.exec, dst, index, length);
+            wrong.map(|(lane, index)| Outside { lane, index, length })
+        };
+        self.stop(outside, site)
+    }
+
+    fn load(&self, dst: Reg, mem: Mem, addr: Reg, offset: u32, site: u32) -> Result<(), Stop> {
+        let outside = match mem {
+            Mem::Buffer(slot) => match self.launch.views[slot as usize] {
+                View::Read(words) => self.load_from(words, dst, addr, offset),
+                View::Write(words) => self.load_from(words, dst, addr, offset),
+            },
+            Mem::Workgroup => self.load_from(self.workgroup, dst, addr, offset),
+            Mem::Private => {
+                self.private.load(self.rows(), dst, addr, offset);
+                None
+            }
+        };
+        self.stop(outside, site)
+    }
+
+    fn load_from<T: memory::Word>(&self, words: &[T], dst: Reg, addr: Reg, offset: u32) -> Option<Outside> {
+        if !dst.is_scalar() {
+            return memory::load(self.s, self.rows(), &self.exec, words, dst, addr, offset);
+        }
+        let index = self.scalar(addr).wrapping_add(offset);
+        self.set_scalar(dst, memory::read(words, index));
+        let length = words.len() as u32;
+        (index >= length).then(|| Outside { lane: self.first_lane(), index, length })
+    }
+
+    fn store(&self, mem: Mem, addr: Reg, value: Reg, offset: u32, site: u32) -> Result<(), Stop> {
+        let (rows, exec) = (self.rows(), &self.exec);
+        let outside = match mem {
+            Mem::Buffer(slot) => match self.launch.views[slot as usize] {
+                // The validator refuses stores to what is bound for reading.
+                View::Read(_) => None,
+                View::Write(words) => memory::store(self.s, rows, exec, words, addr, value, offset),
+            },
+            Mem::Workgroup => memory::store(self.s, rows, exec, self.workgroup, addr, value, offset),
+            Mem::Private => {
+                self.private.store(rows, exec, addr, value, offset);
+                None
+            }
+        };
+        self.stop(outside, site)
+    }
+
+    fn atomic(&self, args: &AtomicArgs) -> Result<(), Stop> {
+        let (rows, exec) = (self.rows(), &self.exec);
+        let outside = match args.mem {
+            Mem::Buffer(slot) => match self.launch.views[slot as usize] {
+                View::Read(_) => None,
+                View::Write(words) => memory::atomic(rows, exec, words, args),
+            },
+            Mem::Workgroup => memory::atomic(rows, exec, self.workgroup, args),
+            Mem::Private => None,
+        };
+        self.stop(outside, args.site)
+    }
+
+    fn tally(&mut self, index: usize) {
+        self.tallies[index].invocations += u64::from(self.exec.mask.count());
+        self.tallies[index].workgroups += u64::from(self.count);
+    }
+}

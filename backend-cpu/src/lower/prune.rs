@@ -1,0 +1,217 @@
+//! Removes what nothing observes, and sinks the initial values of variables to where the variables are used.
+//!
+//! Sinking matters for uniformity: a loop counter that is initialised at the head of a function but lives in one branch
+//! is uniform there, whatever made the branch diverge.
+
+use std::collections::{HashMap, HashSet};
+
+use super::tree::{Block, Op, Stmt, Tree, Val, Var};
+
+/// Removes values and variables without observers.
+pub(super) fn dead(tree: &mut Tree) {
+    let body = std::mem::take(&mut tree.body);
+    let mut live = Live { tree, vals: HashSet::new(), vars: HashSet::new(), sets: HashMap::new(), work: Vec::new() };
+    live.collect(&body);
+    live.run();
+    let (vals, vars) = (live.vals, live.vars);
+    tree.body = sweep(body, &vals, &vars);
+}
+
+struct Live<'a> {
+    tree: &'a Tree,
+    vals: HashSet<Val>,
+    vars: HashSet<Var>,
+    sets: HashMap<Var, Vec<Val>>,
+    work: Vec<Val>,
+}
+
+impl Live<'_> {
+    fn collect(&mut self, block: &Block) {
+        for stmt in block {
+            match stmt {
+                Stmt::Def(_) => {}
+                Stmt::Set(var, val) | Stmt::Init(var, val) => self.sets.entry(*var).or_default().push(*val),
+                _ => stmt.operands(self.tree, |val| self.work.push(val)),
+            }
+            for inner in inner_blocks(stmt) {
+                self.collect(inner);
+            }
+        }
+    }
+
+    fn run(&mut self) {
+        while let Some(val) = self.work.pop() {
+            if !self.vals.insert(val) {
+                continue;
+            }
+            let op = self.tree.op(val);
+            op.operands(|operand| self.work.push(operand));
+            if let Op::Get(var) = op
+                && self.vars.insert(var)
+            {
+                self.work.extend(self.sets.get(&var).into_iter().flatten());
+            }
+        }
+    }
+}
+
+fn sweep(block: Block, vals: &HashSet<Val>, vars: &HashSet<Var>) -> Block {
+    block
+        .into_iter()
+        .filter_map(|stmt| match stmt {
+            Stmt::Def(val) => vals.contains(&val).then_some(stmt),
+            Stmt::Set(var, _) | Stmt::Init(var, _) => vars.contains(&var).then_some(stmt),
+            Stmt::If { id, cond, accept, reject } => {
+                let (accept, reject) = (sweep(accept, vals, vars), sweep(reject, vals, vars));
+                let empty = accept.is_empty() && reject.is_empty();
+                (!empty).then_some(Stmt::If { id, cond, accept, reject })
+            }
+            Stmt::Loop { id, body, continuing, break_if } => {
+                let (body, continuing) = (sweep(body, vals, vars), sweep(continuing, vals, vars));
+                Some(Stmt::Loop { id, body, continuing, break_if })
+            }
+            Stmt::Region { id, body } => Some(Stmt::Region { id, body: sweep(body, vals, vars) }),
+            Stmt::Atomic(mut atomic) => {
+                atomic.result = atomic.result.filter(|val| vals.contains(val));
+                Some(Stmt::Atomic(atomic))
+            }
+            other => Some(other),
+        })
+        .collect()
+}
+
+/// The blocks directly inside a statement.
+pub(super) fn inner_blocks(stmt: &Stmt) -> Vec<&Block> {
+    match stmt {
+        Stmt::If { accept, reject, .. } => vec![accept, reject],
+        Stmt::Loop { body, continuing, .. } => vec![body, continuing],
+        Stmt::Region { body, .. } => vec![body],
+        _ => Vec::new(),
+    }
+}
+
+/// Moves every [`Stmt::Init`] down to the first use of its variable.
+pub(super) fn sink(tree: &mut Tree) {
+    let mut body = std::mem::take(&mut tree.body);
+    sink_block(tree, &mut body, Vec::new());
+    tree.body = body;
+}
+
+fn sink_block(tree: &mut Tree, block: &mut Block, mut inits: Vec<(Var, Val)>) {
+    let mut out = Vec::with_capacity(block.len());
+    let mut rest: Vec<Stmt> = std::mem::take(block);
+    rest.reverse();
+    while let Some(mut stmt) = rest.pop() {
+        if let Stmt::Init(var, val) = stmt {
+            inits.push((var, val));
+            continue;
+        }
+        let mut inside = Vec::new();
+        if !inits.is_empty() {
+            let touched = accesses(tree, &stmt);
+            let mut kept = Vec::new();
+            for (var, val) in inits {
+                if !touched.contains(&var) {
+                    kept.push((var, val));
+                } else if matches!(stmt, Stmt::Set(..)) {
+                    // Set before anything reads it: the initial value is never seen.
+                } else if matches!(stmt, Stmt::If { .. } | Stmt::Region { .. })
+                    && !rest.iter().any(|later| accesses(tree, later).contains(&var))
+                {
+                    inside.push((var, val));
+                } else {
+                    out.push(Stmt::Init(var, val));
+                }
+            }
+            inits = kept;
+        }
+        match &mut stmt {
+            Stmt::If { accept, reject, .. } => {
+                let renamed = split(tree, &inside, accept, reject);
+                sink_block(tree, accept, inside);
+                sink_block(tree, reject, renamed);
+            }
+            Stmt::Region { body, .. } => sink_block(tree, body, inside),
+            Stmt::Loop { body, continuing, .. } => {
+                sink_block(tree, body, Vec::new());
+                sink_block(tree, continuing, Vec::new());
+            }
+            _ => {}
+        }
+        out.push(stmt);
+    }
+    *block = out;
+}
+
+/// Gives the second branch variables of its own; the result is their initial values.
+fn split(tree: &mut Tree, inits: &[(Var, Val)], accept: &Block, reject: &mut Block) -> Vec<(Var, Val)> {
+    let first = block_accesses(tree, accept);
+    let mut names = HashMap::new();
+    let mut renamed = Vec::new();
+    for &(var, val) in inits {
+        if first.contains(&var) {
+            names.insert(var, Var(tree.vars));
+            renamed.push((Var(tree.vars), val));
+            tree.vars += 1;
+        } else {
+            renamed.push((var, val));
+        }
+    }
+    if !names.is_empty() {
+        rename(tree, reject, &names);
+    }
+    renamed
+}
+
+fn rename(tree: &mut Tree, block: &mut Block, names: &HashMap<Var, Var>) {
+    for stmt in block {
+        match stmt {
+            Stmt::Def(val) => {
+                if let Op::Get(var) = &mut tree.vals[val.0 as usize]
+                    && let Some(name) = names.get(var)
+                {
+                    *var = *name;
+                }
+            }
+            Stmt::Set(var, _) | Stmt::Init(var, _) => {
+                if let Some(name) = names.get(var) {
+                    *var = *name;
+                }
+            }
+            Stmt::If { accept, reject, .. } => {
+                rename(tree, accept, names);
+                rename(tree, reject, names);
+            }
+            Stmt::Loop { body, continuing, .. } => {
+                rename(tree, body, names);
+                rename(tree, continuing, names);
+            }
+            Stmt::Region { body, .. } => rename(tree, body, names),
+            _ => {}
+        }
+    }
+}
+
+fn accesses(tree: &Tree, stmt: &Stmt) -> HashSet<Var> {
+    let mut vars = HashSet::new();
+    visit(tree, stmt, &mut vars);
+    vars
+}
+
+fn block_accesses(tree: &Tree, block: &Block) -> HashSet<Var> {
+    let mut vars = HashSet::new();
+    block.iter().for_each(|stmt| visit(tree, stmt, &mut vars));
+    vars
+}
+
+fn visit(tree: &Tree, stmt: &Stmt, vars: &mut HashSet<Var>) {
+    match stmt {
+        Stmt::Def(val) => {
+            if let Op::Get(var) = tree.op(*val) {
+                vars.insert(var);
+            }
+        }
+        Stmt::Set(var, _) | Stmt::Init(var, _) => drop(vars.insert(*var)),
+        _ => inner_blocks(stmt).into_iter().flatten().for_each(|inner| visit(tree, inner, vars)),
+    }
+}
