@@ -12,9 +12,9 @@ use std::sync::Arc;
 
 use sightlines_backend::{Define, Kernel, Program, Result};
 
-pub mod grid;
 pub mod item_histogram;
 pub mod permute;
+pub mod pieces;
 pub mod popcount;
 pub mod random;
 pub mod sat;
@@ -48,7 +48,6 @@ package! {
         scan;
     shared:
         block_scan,
-        grid,
         permute;
 }
 
@@ -57,7 +56,7 @@ pub fn registry() -> &'static [Kernel] {
     KERNELS
 }
 
-/// The text of a WGSL file of this package, such as `shared/grid.wgsl`.
+/// The text of a WGSL file of this package, such as `shared/permute.wgsl`.
 pub fn source(path: &str) -> Option<String> {
     TEXTS.iter().find(|(known, _)| *known == path).map(|(_, text)| (*text).to_owned())
 }

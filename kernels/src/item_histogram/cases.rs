@@ -6,7 +6,7 @@
 use sightlines_backend::{Case, Expected, Job, Result, Size};
 
 use super::{ItemHistogram, NOTHING, Order, Tiling, item, oracle};
-use crate::{random, screen};
+use crate::{pieces, random, screen};
 
 /// Words past the end of the bins, and what they hold.
 const SLACK: usize = 4;
@@ -78,7 +78,7 @@ fn screen_job(instances: &[u32], tiling: Tiling, order: Order) -> Result<Job> {
     let mut job = Job::new();
     let items = job.slice("items", &items(instances, tiling));
     let base = job.slice("base", &bases(instances, tiling.depth));
-    job.cut();
+    pieces::cut(&mut job);
     let labels = job.zeroed("labels", items.len());
     kernel.record_labels(&mut job, tiling, items, base, labels)?;
     let blocks = instances.iter().sum::<u32>();
@@ -140,7 +140,7 @@ fn real_ids(name: &str, len: u32, bins: u32, order: Order) -> Case {
         let kernel = ItemHistogram::new()?;
         let mut job = Job::new();
         let ids = job.slice("ids", &ids());
-        job.cut();
+        pieces::cut(&mut job);
         let counts = job.zeroed("counts", u64::from(bins));
         kernel.record_counts(&mut job, order, (len, ids), (bins, counts))?;
         job.read("counts", counts.id());

@@ -30,6 +30,10 @@ struct Params {
     places: u32,
     /// Logarithm of that power of two.
     bits: u32,
+    /// Blocks of items; workgroup `tile * blocks + block` counts a block into a tile of bins.
+    blocks: u32,
+    /// Number of the first workgroup.
+    first: u32,
 }
 
 @group(0) @binding(0) var<uniform> params: Params;
@@ -46,15 +50,15 @@ fn item_at(place: u32) -> u32 {
     return place;
 }
 
-/// Workgroup (g, b) counts block g of the items into tile b of the bins.
 @compute @workgroup_size(256)
 fn count(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    let first_bin = group.y * TILE_BINS;
+    let number = params.first + group.x;
+    let first_bin = number / params.blocks * TILE_BINS;
     for (var row = 0u; row < TILE_BINS; row += 256u) {
         atomicStore(&tile[row + lane], 0u);
     }
     workgroupBarrier();
-    let first_place = group.x * params.rounds * 256u + lane;
+    let first_place = number % params.blocks * params.rounds * 256u + lane;
     for (var round = 0u; round < params.rounds; round += 1u) {
         let place = first_place + round * 256u;
         let item = item_at(place);
@@ -81,6 +85,8 @@ struct Screen {
     /// Logarithm of the number of tiles a side.
     depth: u32,
     objects: u32,
+    /// Row of the first workgroup.
+    first: u32,
 }
 
 @group(0) @binding(3) var<uniform> screen: Screen;
@@ -89,9 +95,10 @@ struct Screen {
 @group(0) @binding(5) var<storage, read> base: array<u32>;
 @group(0) @binding(6) var<storage, read_write> labels: array<u32>;
 
-/// Row `y` of the screen is row `y` of the workgroups.
+/// A row of workgroups takes a row of the screen.
 @compute @workgroup_size(256)
-fn label(@builtin(global_invocation_id) pixel: vec3<u32>) {
+fn label(@builtin(global_invocation_id) invocation: vec3<u32>) {
+    let pixel = vec2<u32>(invocation.x, screen.first + invocation.y);
     if (pixel.x >= screen.width) {
         return;
     }
@@ -112,6 +119,8 @@ struct Level {
     bins: u32,
     /// Logarithm of the side of a coarse block.
     depth: u32,
+    /// Coarse bin of the first invocation.
+    first: u32,
 }
 
 @group(0) @binding(7) var<uniform> level: Level;
@@ -120,13 +129,14 @@ struct Level {
 
 @compute @workgroup_size(256)
 fn halve(@builtin(global_invocation_id) id: vec3<u32>) {
-    if (id.x >= level.bins) {
+    let bin = level.first + id.x;
+    if (bin >= level.bins) {
         return;
     }
     let side = 1u << level.depth;
-    let block = id.x >> (2u * level.depth);
-    let x = id.x & (side - 1u);
-    let y = (id.x >> level.depth) & (side - 1u);
+    let block = bin >> (2u * level.depth);
+    let x = bin & (side - 1u);
+    let y = (bin >> level.depth) & (side - 1u);
     let at = (block << (2u * level.depth + 2u)) + y * 4u * side + 2u * x;
-    coarse[id.x] = fine[at] + fine[at + 1u] + fine[at + 2u * side] + fine[at + 2u * side + 1u];
+    coarse[bin] = fine[at] + fine[at + 1u] + fine[at + 2u * side] + fine[at + 2u * side + 1u];
 }

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use sightlines_backend::host::{Bindings, Buffer};
 use sightlines_backend::{Define, Error, Job, Kernel, Program, Result, bindings, host};
 
-use crate::grid::MAX_GROUPS;
+use crate::pieces::{self, MAX_GROUPS};
 
 mod cases;
 pub mod oracle;
@@ -26,7 +26,7 @@ pub const KERNEL: Kernel = Kernel {
     cases: cases::all,
 };
 
-/// Most items of one histogram: they fill a binding of 128 MiB.
+/// Most items, and most bins, of one histogram: they fill a binding of 128 MiB.
 pub const MAX_ITEMS: u32 = 1 << 25;
 
 /// Item of a pixel that shows none, and its id.
@@ -70,6 +70,10 @@ host! {
         pub places: u32,
         /// Logarithm of the places of a scattered order.
         pub bits: u32,
+        /// Blocks of items.
+        pub blocks: u32,
+        /// Number of the first workgroup.
+        pub first: u32,
     }
 
     /// Mirrors `struct Screen`.
@@ -82,6 +86,8 @@ host! {
         pub depth: u32,
         /// Number of objects.
         pub objects: u32,
+        /// Row of the first workgroup.
+        pub first: u32,
     }
 
     /// Mirrors `struct Level`.
@@ -90,6 +96,8 @@ host! {
         pub bins: u32,
         /// Logarithm of the side of a coarse block.
         pub depth: u32,
+        /// Coarse bin of the first invocation.
+        pub first: u32,
     }
 }
 
@@ -116,6 +124,9 @@ bindings! {
         write coarse @ 9: [u32],
     }
 }
+
+/// Invocations a workgroup.
+const GROUP: u32 = 256;
 
 /// Bins of a workgroup, by variant: few need little memory, many need all of it.
 const TILES: [u32; 2] = [256, 4096];
@@ -164,10 +175,13 @@ impl ItemHistogram {
             let what = format!("{} items and {} labels for {pixels} pixels", items.len(), labels.len());
             return Err(Error::refused(what, "give one word a pixel"));
         }
-        let screen = job.value("screen", &Screen { width, height, depth, objects: base.len() as u32 });
+        let objects = base.len() as u32;
         let program = job.program(&self.memory[0]);
-        let bound = Label { screen, items, base, labels };
-        job.launch(program, "label", &bound, [width.div_ceil(256), height, 1]);
+        pieces::record(job, height, u64::from(2 * width), |job, rows| {
+            let screen = job.value("screen", &Screen { width, height, depth, objects, first: rows.start });
+            let bound = Label { screen, items, base, labels };
+            job.launch(program, "label", &bound, [width.div_ceil(GROUP), rows.len() as u32, 1]);
+        });
         Ok(())
     }
 
@@ -179,9 +193,9 @@ impl ItemHistogram {
         (items, ids): (u32, Buffer<[u32]>),
         (bins, counts): (u32, Buffer<[u32]>),
     ) -> Result<()> {
-        if items > MAX_ITEMS || ids.len() < u64::from(items) || counts.len() < u64::from(bins) {
+        if items > MAX_ITEMS || bins > MAX_ITEMS || ids.len() < u64::from(items) || counts.len() < u64::from(bins) {
             let what = format!("a histogram of {items} of {} ids in {bins} of {} bins", ids.len(), counts.len());
-            return Err(Error::refused(what, format!("count at most {MAX_ITEMS} ids; give one word an id and a bin")));
+            return Err(Error::refused(what, format!("use at most {MAX_ITEMS} ids and bins, and one word for each")));
         }
         let size = usize::from(bins > TILES[0]);
         let tile = TILES[size];
@@ -193,11 +207,15 @@ impl ItemHistogram {
             }
         };
         // Four items for each bin that a workgroup clears and adds, and 16 for each lane at least.
-        let rounds = (4 * tile / 256).max(16);
-        let params = job.value("histogram params", &Params { items, bins, rounds, places, bits });
-        let groups = [places.div_ceil(256 * rounds).max(1), bins.div_ceil(tile).max(1), 1];
+        let rounds = (4 * tile / GROUP).max(16);
+        let blocks = places.div_ceil(GROUP * rounds).max(1);
+        let groups = blocks * bins.div_ceil(tile);
         let program = job.program(program);
-        job.launch(program, "count", &Count { params, ids, counts }, groups);
+        pieces::record(job, groups, u64::from(GROUP * rounds + 2 * tile), |job, piece| {
+            let params = Params { items, bins, rounds, places, bits, blocks, first: piece.start };
+            let bound = Count { params: job.value("histogram params", &params), ids, counts };
+            job.launch(program, "count", &bound, [piece.len() as u32, 1, 1]);
+        });
         Ok(())
     }
 
@@ -220,9 +238,11 @@ impl ItemHistogram {
         let mut levels = Vec::new();
         for depth in (0..depth).rev() {
             let coarse = job.zeroed("histogram level", bins(depth));
-            let level = job.value("level", &Level { bins: bins(depth) as u32, depth });
-            let groups = crate::grid::line(bins(depth), 256);
-            job.launch(program, "halve", &Halve { level, fine, coarse }, groups);
+            let bins = bins(depth) as u32;
+            pieces::record(job, bins.div_ceil(GROUP), u64::from(5 * GROUP), |job, piece| {
+                let level = job.value("level", &Level { bins, depth, first: piece.start * GROUP });
+                job.launch(program, "halve", &Halve { level, fine, coarse }, [piece.len() as u32, 1, 1]);
+            });
             levels.push(coarse);
             fine = coarse;
         }

@@ -6,7 +6,7 @@
 use sightlines_backend::{Case, Expected, Job, Size};
 
 use super::{Method, Popcount, Shape, oracle};
-use crate::random;
+use crate::{pieces, random};
 
 /// Words past the end of an output, and what they hold before and after.
 const SLACK: usize = 4;
@@ -27,7 +27,7 @@ pub(super) fn all() -> Vec<Case> {
         small("eight_targets_992", shape(777, 992, 31), random::word, &[0, 1, 776]),
     ];
     cases.extend(Method::ALL.map(disc_shadow));
-    cases.push(two_rows_of_groups());
+    cases.push(more_than_a_dispatch());
     cases
 }
 
@@ -74,7 +74,7 @@ fn real(name: String, shape: Shape, method: Method, masks: fn(Shape) -> Vec<u32>
         let kernel = Popcount::new()?;
         let mut job = Job::new();
         let masks = job.slice("masks", &masks(shape));
-        job.cut();
+        pieces::cut(&mut job);
         let hidden = job.zeroed("hidden", u64::from(shape.receivers));
         let visible = job.zeroed("visible", u64::from(shape.receivers));
         kernel.record(&mut job, method, shape, masks, hidden, visible)?;
@@ -129,10 +129,10 @@ fn hidden_row(start: i64, square: i64, spacing: i64) -> u32 {
     (((1_u64 << end) - 1) & !((1_u64 << first) - 1)) as u32
 }
 
-/// One receiver more than a line of 65,535 workgroups has.
-fn two_rows_of_groups() -> Case {
+/// One receiver more than 65,535 workgroups have.
+fn more_than_a_dispatch() -> Case {
     let shape = Shape { receivers: 65_535 * 256 + 1, samples: 20, bits: 32 };
     let masks = |shape: Shape| random::words(9, shape.receivers as usize);
     let last = shape.receivers - 1;
-    real("two_rows_of_groups".into(), shape, Method::Builtin, masks, &[0, 1, last / 2, last - 1, last])
+    real("more_than_a_dispatch".into(), shape, Method::Builtin, masks, &[0, 1, last / 2, last - 1, last])
 }

@@ -11,8 +11,6 @@
 //
 // by four methods, one an entry point, with equal results.
 
-import package::shared::grid::line_of_groups;
-
 struct Params {
     receivers: u32,
     /// Words a receiver.
@@ -21,6 +19,8 @@ struct Params {
     samples: u32,
     /// Samples a word, 1 to 32.
     bits: u32,
+    /// Receiver of the first invocation.
+    first: u32,
 }
 
 @group(0) @binding(0) var<uniform> params: Params;
@@ -70,12 +70,8 @@ fn count_table(mask: u32) -> u32 {
 }
 
 @compute @workgroup_size(256)
-fn logarithmic(
-    @builtin(workgroup_id) group: vec3<u32>,
-    @builtin(num_workgroups) groups: vec3<u32>,
-    @builtin(local_invocation_index) lane: u32,
-) {
-    let receiver = line_of_groups(group, groups) * 256u + lane;
+fn logarithmic(@builtin(global_invocation_id) id: vec3<u32>) {
+    let receiver = params.first + id.x;
     if (receiver >= params.receivers) {
         return;
     }
@@ -87,12 +83,8 @@ fn logarithmic(
 }
 
 @compute @workgroup_size(256)
-fn bit_loop(
-    @builtin(workgroup_id) group: vec3<u32>,
-    @builtin(num_workgroups) groups: vec3<u32>,
-    @builtin(local_invocation_index) lane: u32,
-) {
-    let receiver = line_of_groups(group, groups) * 256u + lane;
+fn bit_loop(@builtin(global_invocation_id) id: vec3<u32>) {
+    let receiver = params.first + id.x;
     if (receiver >= params.receivers) {
         return;
     }
@@ -104,12 +96,8 @@ fn bit_loop(
 }
 
 @compute @workgroup_size(256)
-fn table(
-    @builtin(workgroup_id) group: vec3<u32>,
-    @builtin(num_workgroups) groups: vec3<u32>,
-    @builtin(local_invocation_index) lane: u32,
-) {
-    let receiver = line_of_groups(group, groups) * 256u + lane;
+fn table(@builtin(global_invocation_id) id: vec3<u32>) {
+    let receiver = params.first + id.x;
     if (receiver >= params.receivers) {
         return;
     }
@@ -121,12 +109,8 @@ fn table(
 }
 
 @compute @workgroup_size(256)
-fn builtin(
-    @builtin(workgroup_id) group: vec3<u32>,
-    @builtin(num_workgroups) groups: vec3<u32>,
-    @builtin(local_invocation_index) lane: u32,
-) {
-    let receiver = line_of_groups(group, groups) * 256u + lane;
+fn builtin(@builtin(global_invocation_id) id: vec3<u32>) {
+    let receiver = params.first + id.x;
     if (receiver >= params.receivers) {
         return;
     }

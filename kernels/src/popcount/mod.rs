@@ -9,7 +9,7 @@ use std::sync::Arc;
 use sightlines_backend::host::{Bindings, Buffer};
 use sightlines_backend::{Error, Job, Kernel, Program, Result, bindings, host};
 
-use crate::grid;
+use crate::pieces;
 
 mod cases;
 pub mod oracle;
@@ -25,6 +25,9 @@ pub const KERNEL: Kernel = Kernel {
 
 /// Most words of a mask: 1024 samples of 32 bits a word.
 pub const MAX_WORDS: u32 = 32;
+
+/// Invocations a workgroup, one for each receiver.
+const GROUP: u32 = 256;
 
 /// How bits are counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -101,6 +104,8 @@ host! {
         pub samples: u32,
         /// Samples a word.
         pub bits: u32,
+        /// Receiver of the first invocation.
+        pub first: u32,
     }
 }
 
@@ -151,16 +156,21 @@ impl Popcount {
     ) -> Result<()> {
         shape.check(masks.len(), hidden.len().min(visible.len()))?;
         let Shape { receivers, samples, bits } = shape;
-        let params = job.value("popcount params", &Params { receivers, words: shape.words(), samples, bits });
+        let words = shape.words();
         let program = job.program(&self.program);
-        let groups = grid::line(u64::from(receivers), 256);
-        if method == Method::Table {
-            let byte_counts = job.value("bits of every byte", &byte_counts());
-            let bound = CountByTable { params, masks, hidden, visible, byte_counts };
-            job.launch(program, method.entry(), &bound, groups);
-        } else {
-            job.launch(program, method.entry(), &Count { params, masks, hidden, visible }, groups);
-        }
+        let byte_counts = (method == Method::Table).then(|| job.value("bits of every byte", &byte_counts()));
+        pieces::record(job, receivers.div_ceil(GROUP), u64::from(GROUP * (words + 2)), |job, piece| {
+            let first = piece.start * GROUP;
+            let params = job.value("popcount params", &Params { receivers, words, samples, bits, first });
+            let groups = [piece.len() as u32, 1, 1];
+            match byte_counts {
+                None => job.launch(program, method.entry(), &Count { params, masks, hidden, visible }, groups),
+                Some(byte_counts) => {
+                    let bound = CountByTable { params, masks, hidden, visible, byte_counts };
+                    job.launch(program, method.entry(), &bound, groups);
+                }
+            }
+        });
         Ok(())
     }
 }

@@ -7,7 +7,7 @@ use glam::UVec4;
 use sightlines_backend::{Case, Expected, Job, Result, Size};
 
 use super::{Extent, Sat, oracle};
-use crate::{random, screen};
+use crate::{pieces, random, screen};
 
 /// Words past the end of buffers, and what they hold.
 const SLACK: usize = 4;
@@ -139,9 +139,9 @@ fn job(input: Input) -> Result<Job> {
         image.extend([MARK; SLACK]);
         let image = job.slice(format!("image {channel}"), &image);
         let table = job.slice(format!("table {channel}"), &vec![MARK; image.len() as usize]);
-        job.cut();
+        pieces::cut(&mut job);
         kernel.record(&mut job, extent, image, table)?;
-        job.cut();
+        pieces::cut(&mut job);
         job.read(format!("table.{channel}"), table.id());
         first.get_or_insert(table);
     }

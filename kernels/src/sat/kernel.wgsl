@@ -24,6 +24,8 @@ struct Params {
     fours: u32,
     height: u32,
     rectangles: u32,
+    /// Band, or rectangle, of the first workgroup or invocation.
+    first: u32,
 }
 
 @group(0) @binding(0) var<uniform> params: Params;
@@ -56,12 +58,13 @@ fn emit(row: u32, column: u32, four: vec4<u32>) {
 /// The table of each band by itself.
 @compute @workgroup_size(256)
 fn bands(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    let end = min((group.x + 1u) * BAND, params.height);
+    let top = (params.first + group.x) * BAND;
+    let end = min(top + BAND, params.height);
     var sum_a = vec4<u32>(0u);
     var sum_b = vec4<u32>(0u);
     var sum_c = vec4<u32>(0u);
     var sum_d = vec4<u32>(0u);
-    for (var row = group.x * BAND; row < end; row += 1u) {
+    for (var row = top; row < end; row += 1u) {
         let a = prefix4(fetch(row, lane));
         let b = prefix4(fetch(row, lane + 256u));
         let c = prefix4(fetch(row, lane + 512u));
@@ -92,16 +95,18 @@ fn carries(@builtin(global_invocation_id) id: vec3<u32>) {
     }
 }
 
-/// Adds what stands above band `group.y + 1`.
+/// Adds to every band but the first what stands above it.
 @compute @workgroup_size(256)
 fn add(@builtin(workgroup_id) group: vec3<u32>, @builtin(global_invocation_id) id: vec3<u32>) {
     let width = 4u * params.fours;
     if (id.x >= width) {
         return;
     }
-    let above = carry[group.y * width + id.x];
-    let end = min((group.y + 2u) * BAND, params.height);
-    for (var row = (group.y + 1u) * BAND; row < end; row += 1u) {
+    let band = params.first + group.y;
+    let above = carry[band * width + id.x];
+    let top = (band + 1u) * BAND;
+    let end = min(top + BAND, params.height);
+    for (var row = top; row < end; row += 1u) {
         words[row * width + id.x] += above;
     }
 }
@@ -117,11 +122,12 @@ fn corner(x: u32, y: u32) -> u32 {
 
 @compute @workgroup_size(256)
 fn rectangle_sums(@builtin(global_invocation_id) id: vec3<u32>) {
-    if (id.x >= params.rectangles) {
+    let rectangle = params.first + id.x;
+    if (rectangle >= params.rectangles) {
         return;
     }
     let size = vec2<u32>(4u * params.fours, params.height);
-    let low = min(rectangles[id.x].xy, size);
-    let high = max(min(rectangles[id.x].zw, size), low);
-    sums[id.x] = corner(high.x, high.y) - corner(low.x, high.y) - corner(high.x, low.y) + corner(low.x, low.y);
+    let low = min(rectangles[rectangle].xy, size);
+    let high = max(min(rectangles[rectangle].zw, size), low);
+    sums[rectangle] = corner(high.x, high.y) - corner(low.x, high.y) - corner(high.x, low.y) + corner(low.x, low.y);
 }

@@ -11,6 +11,8 @@ use glam::UVec4;
 use sightlines_backend::host::{Bindings, Buffer};
 use sightlines_backend::{Error, Job, Kernel, Program, Result, bindings, host};
 
+use crate::pieces;
+
 mod cases;
 pub mod oracle;
 
@@ -31,6 +33,9 @@ pub const MAX_HEIGHT: u32 = 1 << 16;
 
 /// Rows that one workgroup sums.
 const BAND: u32 = 16;
+
+/// Rectangles a workgroup.
+const GROUP: u32 = 256;
 
 /// Size of an image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,6 +81,8 @@ host! {
         pub height: u32,
         /// Rectangles to answer.
         pub rectangles: u32,
+        /// Band, or rectangle, of the first workgroup or invocation.
+        pub first: u32,
     }
 }
 
@@ -122,17 +129,24 @@ impl Sat {
     /// Sums one channel, `image`, into `table`, both by rows. Further channels are further calls.
     pub fn record(&self, job: &mut Job, extent: Extent, image: Buffer<[u32]>, table: Buffer<[u32]>) -> Result<()> {
         extent.check(&[("image", image.len()), ("table", table.len())])?;
-        let fours = extent.width / 4;
-        let bands = extent.height.div_ceil(BAND).max(1);
-        let params = job.value("sat params", &Params { fours, height: extent.height, rectangles: 0 });
+        let Extent { width, height } = extent;
+        let bands = height.div_ceil(BAND).max(1);
         let program = job.program(&self.program);
-        let bound = Bands { params, image: by_fours(image), table: by_fours(table) };
-        job.launch(program, "bands", &bound, [bands, 1, 1]);
+        let params = |first| Params { fours: width / 4, height, rectangles: 0, first };
+        pieces::record(job, bands, u64::from(2 * BAND * width), |job, piece| {
+            let params = job.value("sat params", &params(piece.start));
+            let bound = Bands { params, image: by_fours(image), table: by_fours(table) };
+            job.launch(program, "bands", &bound, [piece.len() as u32, 1, 1]);
+        });
         if bands > 1 {
-            let carry = job.zeroed("sat carry", u64::from(bands - 1) * u64::from(extent.width));
-            let bound = Carry { params, words: table, carry };
-            job.launch(program, "carries", &bound, [extent.width.div_ceil(64), 1, 1]);
-            job.launch(program, "add", &bound, [extent.width.div_ceil(256), bands - 1, 1]);
+            let carry = job.zeroed("sat carry", u64::from(bands - 1) * u64::from(width));
+            let params_of_all = job.value("sat params", &params(0));
+            let bound = Carry { params: params_of_all, words: table, carry };
+            job.launch(program, "carries", &bound, [width.div_ceil(64), 1, 1]);
+            pieces::record(job, bands - 1, u64::from(2 * BAND * width), |job, piece| {
+                let bound = Carry { params: job.value("sat params", &params(piece.start)), ..bound };
+                job.launch(program, "add", &bound, [width.div_ceil(256), piece.len() as u32, 1]);
+            });
         }
         Ok(())
     }
@@ -152,11 +166,14 @@ impl Sat {
             let what = format!("{count} rectangles from {} into {} words", rectangles.len(), sums.len());
             return Err(Error::refused(what, "give one word for each rectangle"));
         }
-        let params = Params { fours: extent.width / 4, height: extent.height, rectangles: count };
-        let params = job.value("sat rectangle params", &params);
+        let Extent { width, height } = extent;
         let program = job.program(&self.program);
-        let bound = Rectangles { params, whole: table, rectangles, sums };
-        job.launch(program, "rectangle_sums", &bound, [count.div_ceil(256).max(1), 1, 1]);
+        pieces::record(job, count.div_ceil(GROUP), u64::from(9 * GROUP), |job, piece| {
+            let params = Params { fours: width / 4, height, rectangles: count, first: piece.start * GROUP };
+            let params = job.value("sat params", &params);
+            let bound = Rectangles { params, whole: table, rectangles, sums };
+            job.launch(program, "rectangle_sums", &bound, [piece.len() as u32, 1, 1]);
+        });
         Ok(())
     }
 }

@@ -6,7 +6,7 @@
 use sightlines_backend::{Case, Expected, Job, Size};
 
 use super::{Kind, Scan, TILE, oracle};
-use crate::random;
+use crate::{pieces, random};
 
 /// Words past the end of buffers, and what they hold.
 const SLACK: usize = 4;
@@ -71,7 +71,7 @@ fn real(name: &str, kind: Kind, value: fn(u32) -> u32) -> Case {
         let kernel = Scan::new()?;
         let mut job = Job::new();
         let input = job.slice("input", &padded(REAL, value));
-        job.cut();
+        pieces::cut(&mut job);
         let output = job.zeroed("output", input.len());
         kernel.record(&mut job, kind, REAL, input, output)?;
         job.read("output", output.id());

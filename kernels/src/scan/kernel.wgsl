@@ -21,6 +21,8 @@ const TILE: u32 = 4096u;
 
 struct Params {
     count: u32,
+    /// Tile of the first workgroup.
+    first: u32,
 }
 
 @group(0) @binding(0) var<uniform> params: Params;
@@ -69,7 +71,8 @@ fn is_whole(tile: u32) -> bool {
 
 @compute @workgroup_size(256)
 fn reduce(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    let first = group.x * TILE;
+    let tile = params.first + group.x;
+    let first = tile * TILE;
     let end = min(first + TILE, params.count);
     var own = 0u;
     for (var row = first; row < end; row += 256u) {
@@ -92,15 +95,16 @@ fn reduce(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
         for (var row = 0u; row < 16u; row += 1u) {
             sum += row_sums[row];
         }
-        sums[group.x] = sum;
+        sums[tile] = sum;
     }
 }
 
 /// Lane l scans the fours l, l + 256, l + 512 and l + 768 of its tile: neighbours take neighbouring words.
 @compute @workgroup_size(256)
 fn scan(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    let first = group.x * TILE / 4u + lane;
-    let whole = is_whole(group.x);
+    let tile = params.first + group.x;
+    let first = tile * TILE / 4u + lane;
+    let whole = is_whole(tile);
     let a = fetch(first, whole);
     let b = fetch(first + 256u, whole);
     let c = fetch(first + 512u, whole);
@@ -109,7 +113,7 @@ fn scan(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index
     let sum_b = prefix4(b);
     let sum_c = prefix4(c);
     let sum_d = prefix4(d);
-    let before = block_scan(lane, vec4<u32>(sum_a.w, sum_b.w, sum_c.w, sum_d.w)) + carries[group.x];
+    let before = block_scan(lane, vec4<u32>(sum_a.w, sum_b.w, sum_c.w, sum_d.w)) + carries[tile];
     emit(first, whole, before.x, sum_a, a);
     emit(first + 256u, whole, before.y, sum_b, b);
     emit(first + 512u, whole, before.z, sum_c, c);

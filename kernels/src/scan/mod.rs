@@ -10,6 +10,8 @@ use glam::UVec4;
 use sightlines_backend::host::{Bindings, Buffer};
 use sightlines_backend::{Define, Error, Job, Kernel, Program, Result, bindings, host};
 
+use crate::pieces;
+
 mod cases;
 pub mod oracle;
 
@@ -45,6 +47,8 @@ host! {
     pub struct Params {
         /// Number of words.
         pub count: u32,
+        /// Tile of the first workgroup.
+        pub first: u32,
     }
 }
 
@@ -52,8 +56,8 @@ bindings! {
     /// What `reduce` is given.
     pub struct Reduce {
         uniform params @ 0: Params,
-        read words @ 5: [u32],
         write sums @ 2: [u32],
+        read words @ 5: [u32],
     }
 
     /// What `scan` is given.
@@ -109,21 +113,26 @@ impl Scan {
     /// Scans one level, and the sums of its tiles one level up.
     fn level(&self, job: &mut Job, kind: Kind, count: u32, input: Buffer<[u32]>, output: Buffer<[u32]>) {
         let tiles = count.div_ceil(TILE).max(1);
-        let groups = [tiles, 1, 1];
-        let params = job.value("scan params", &Params { count });
         let carries = job.zeroed("scan carries", u64::from(tiles.next_multiple_of(4)));
         if tiles > 1 {
             let sums = job.zeroed("scan sums", carries.len());
             let program = job.program(&self.exclusive);
-            job.launch(program, "reduce", &Reduce { params, words: input, sums }, groups);
+            pieces::record(job, tiles, u64::from(TILE), |job, piece| {
+                let params = job.value("scan params", &Params { count, first: piece.start });
+                let bound = Reduce { params, sums, words: input };
+                job.launch(program, "reduce", &bound, [piece.len() as u32, 1, 1]);
+            });
             self.level(job, Kind::Exclusive, tiles, sums, carries);
         }
         let program = job.program(match kind {
             Kind::Inclusive => &self.inclusive,
             Kind::Exclusive => &self.exclusive,
         });
-        let bound = ScanTiles { params, input: fours(input), carries, output: fours(output) };
-        job.launch(program, "scan", &bound, groups);
+        pieces::record(job, tiles, u64::from(2 * TILE), |job, piece| {
+            let params = job.value("scan params", &Params { count, first: piece.start });
+            let bound = ScanTiles { params, input: fours(input), carries, output: fours(output) };
+            job.launch(program, "scan", &bound, [piece.len() as u32, 1, 1]);
+        });
     }
 }
 
