@@ -96,34 +96,10 @@ pub(crate) fn binary(op: BinOp, a: u32, b: u32) -> u32 {
         BinOp::Shl => a.wrapping_shl(b),
         BinOp::ShrU => a.wrapping_shr(b),
         BinOp::ShrI => ia.wrapping_shr(b) as u32,
-        BinOp::DivU => {
-            if b == 0 {
-                a
-            } else {
-                a / b
-            }
-        }
-        BinOp::DivI => {
-            if ib == 0 {
-                a
-            } else {
-                ia.wrapping_div(ib) as u32
-            }
-        }
-        BinOp::RemU => {
-            if b == 0 {
-                0
-            } else {
-                a % b
-            }
-        }
-        BinOp::RemI => {
-            if ib == 0 {
-                0
-            } else {
-                ia.wrapping_rem(ib) as u32
-            }
-        }
+        BinOp::DivU => math::div_u32(a, b),
+        BinOp::DivI => math::div_i32(ia, ib) as u32,
+        BinOp::RemU => math::rem_u32(a, b),
+        BinOp::RemI => math::rem_i32(ia, ib) as u32,
         BinOp::MinU => a.min(b),
         BinOp::MaxU => a.max(b),
         BinOp::MinI => ia.min(ib) as u32,

@@ -16,6 +16,7 @@ pub(crate) struct CpuSession<'a> {
     programs: Vec<Arc<Program>>,
     buffers: Vec<Vec<u32>>,
     counts: Counts,
+    lane_ops: u64,
 }
 
 impl<'a> CpuSession<'a> {
@@ -27,7 +28,7 @@ impl<'a> CpuSession<'a> {
             return Err(Error::from(Trap { kind, location: None, invocation: None }));
         }
         let buffers = buffers.iter().map(|buffer| vec![0; buffer.size.div_ceil(4) as usize]).collect();
-        Ok(CpuSession { backend, programs: programs.to_vec(), buffers, counts: Counts::default() })
+        Ok(CpuSession { backend, programs: programs.to_vec(), buffers, counts: Counts::default(), lane_ops: 0 })
     }
 
     fn range(&mut self, buffer: BufferId, offset: u64, size: u64) -> Result<&mut [u32]> {
@@ -60,7 +61,9 @@ impl<'a> CpuSession<'a> {
             fuel: self.backend.config.fuel,
             lanes: self.backend.config.lanes,
         };
-        let counts = exec::run(&code, &program, &mut self.buffers, &ranges, groups, &settings).map_err(Error::from)?;
+        let (counts, lane_ops) =
+            exec::run(&code, &program, &mut self.buffers, &ranges, groups, &settings).map_err(Error::from)?;
+        self.lane_ops += lane_ops;
         if self.backend.config.count {
             self.add(counts);
         }
@@ -129,5 +132,9 @@ impl Session for CpuSession<'_> {
 
     fn counts(&self) -> Option<Counts> {
         self.backend.config.count.then_some(self.counts)
+    }
+
+    fn lane_ops(&self) -> Option<u64> {
+        Some(self.lane_ops)
     }
 }

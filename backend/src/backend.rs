@@ -68,4 +68,10 @@ pub trait Session {
     fn counts(&self) -> Option<Counts> {
         None
     }
+
+    /// Lane-operations since the session was opened, from interpreters: for each vector instruction executed the lanes of
+    /// the 16-lane chunks it worked on. A machine cost: it changes with lowering and with the lanes of a gang.
+    fn lane_ops(&self) -> Option<u64> {
+        None
+    }
 }

@@ -73,6 +73,8 @@ pub(super) struct Worker {
     workgroup: Vec<u32>,
     private: Vec<u32>,
     pub(super) tallies: Vec<Tally>,
+    /// Chunks worked on, one for each vector instruction and chunk.
+    pub(super) chunk_ops: u64,
 }
 
 impl Worker {
@@ -86,6 +88,7 @@ impl Worker {
             workgroup: vec![0; code.workgroup_words as usize],
             private: vec![0; code.private_words as usize * lanes],
             tallies: vec![Tally::default(); code.costs.len()],
+            chunk_ops: 0,
         }
     }
 
@@ -111,6 +114,7 @@ impl Worker {
             exec: Exec::new((count * size) as usize),
             fuel: launch.fuel,
             count,
+            chunk_ops: Cell::from_mut(&mut self.chunk_ops),
         };
         gang.inputs(first);
         gang.run()
@@ -130,6 +134,7 @@ struct Gang<'a, S, W> {
     fuel: u64,
     /// Workgroups in this gang.
     count: u32,
+    chunk_ops: &'a Cell<u64>,
 }
 
 impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
@@ -142,6 +147,14 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
             low: self.exec.low,
             high: self.exec.high,
         }
+    }
+
+    /// The rows for an instruction on lanes, which is counted.
+    #[inline(always)]
+    fn work(&self) -> Rows<'_> {
+        let chunks = (self.exec.high - self.exec.low) as u64;
+        self.chunk_ops.set(self.chunk_ops.get() + chunks);
+        self.rows()
     }
 
     #[inline(always)]
@@ -183,16 +196,16 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
                 Inst::Un { op, dst, a } if dst.is_scalar() => {
                     self.set_scalar(dst, semantics::unary(op, self.scalar(a)));
                 }
-                Inst::Un { op, dst, a } => alu::unary(self.s, self.rows(), op, dst, a),
+                Inst::Un { op, dst, a } => alu::unary(self.s, self.work(), op, dst, a),
                 Inst::Bin { op, dst, a, b } if dst.is_scalar() => {
                     self.set_scalar(dst, semantics::binary(op, self.scalar(a), self.scalar(b)));
                 }
-                Inst::Bin { op, dst, a, b } => alu::binary(self.s, self.rows(), op, dst, a, b),
+                Inst::Bin { op, dst, a, b } => alu::binary(self.s, self.work(), op, dst, a, b),
                 Inst::Tern { op, dst, a, b, c } if dst.is_scalar() => {
                     self.set_scalar(dst, semantics::ternary(op, self.scalar(a), self.scalar(b), self.scalar(c)));
                 }
-                Inst::Tern { op, dst, a, b, c } => alu::ternary(self.s, self.rows(), op, dst, [a, b, c]),
-                Inst::Blend { dst, a } => alu::blend(self.s, self.rows(), &self.exec, dst, a),
+                Inst::Tern { op, dst, a, b, c } => alu::ternary(self.s, self.work(), op, dst, [a, b, c]),
+                Inst::Blend { dst, a } => alu::blend(self.s, self.work(), &self.exec, dst, a),
                 Inst::Check { dst, index, length, site } => self.check(dst, index, length, site)?,
                 Inst::ArrayLength { dst, buffer, offset, stride } => {
                     let words = self.launch.views[buffer as usize].len();
@@ -293,7 +306,7 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
             self.set_scalar(dst, index.min(length.wrapping_sub(1)));
             (index >= length).then(|| Outside { lane: self.first_lane(), index, length })
         } else {
-            let wrong = alu::check(self.s, self.rows(), &self.exec, dst, index, length);
+            let wrong = alu::check(self.s, self.work(), &self.exec, dst, index, length);
             wrong.map(|(lane, index)| Outside { lane, index, length })
         };
         self.stop(outside, site)
@@ -307,7 +320,7 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
             },
             Mem::Workgroup => self.load_from(self.workgroup, dst, addr, offset),
             Mem::Private => {
-                self.private.load(self.rows(), dst, addr, offset);
+                self.private.load(self.work(), dst, addr, offset);
                 None
             }
         };
@@ -316,7 +329,7 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
 
     fn load_from<T: memory::Word>(&self, words: &[T], dst: Reg, addr: Reg, offset: u32) -> Option<Outside> {
         if !dst.is_scalar() {
-            return memory::load(self.s, self.rows(), &self.exec, words, dst, addr, offset);
+            return memory::load(self.s, self.work(), &self.exec, words, dst, addr, offset);
         }
         let index = self.scalar(addr).wrapping_add(offset);
         self.set_scalar(dst, memory::read(words, index));
@@ -325,7 +338,7 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
     }
 
     fn store(&self, mem: Mem, addr: Reg, value: Reg, offset: u32, site: u32) -> Result<(), Stop> {
-        let (rows, exec) = (self.rows(), &self.exec);
+        let (rows, exec) = (self.work(), &self.exec);
         let outside = match mem {
             Mem::Buffer(slot) => match self.launch.views[slot as usize] {
                 // The validator refuses stores to what is bound for reading.
@@ -342,7 +355,7 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
     }
 
     fn atomic(&self, args: &AtomicArgs) -> Result<(), Stop> {
-        let (rows, exec) = (self.rows(), &self.exec);
+        let (rows, exec) = (self.work(), &self.exec);
         let outside = match args.mem {
             Mem::Buffer(slot) => match self.launch.views[slot as usize] {
                 View::Read(_) => None,

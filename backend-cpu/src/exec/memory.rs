@@ -137,10 +137,9 @@ pub(super) fn load<S: Simd, T: Word>(
     let mut outside = None;
     for (i, (cell, addr)) in row.iter().zip(r.row(addr)).enumerate() {
         let addr = addr.get().0;
-        let mut out = Chunk::default();
-        for lane in 0..CHUNK {
+        let words = std::array::from_fn(|lane| {
             let index = addr[lane].wrapping_add(offset);
-            out.0[lane] = match words.get(index as usize) {
+            match words.get(index as usize) {
                 Some(word) => word.load(),
                 None => {
                     let lane = (exec.low + i) * CHUNK + lane;
@@ -149,9 +148,9 @@ pub(super) fn load<S: Simd, T: Word>(
                     }
                     read(words, index)
                 }
-            };
-        }
-        cell.set(out);
+            }
+        });
+        cell.set(Chunk(words));
     }
     outside
 }

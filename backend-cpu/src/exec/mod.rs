@@ -45,7 +45,7 @@ pub(crate) struct Settings<'a> {
     pub(crate) lanes: Option<u32>,
 }
 
-/// Runs a dispatch on buffers of words.
+/// Runs a dispatch on buffers of words: its semantic costs, and its lane-operations.
 pub(crate) fn run(
     code: &Code,
     program: &Program,
@@ -53,14 +53,14 @@ pub(crate) fn run(
     ranges: &[Range],
     groups: [u32; 3],
     settings: &Settings<'_>,
-) -> Result<Counts, Trap> {
+) -> Result<(Counts, u64), Trap> {
     if groups.contains(&0) {
-        return Ok(Counts::default());
+        return Ok((Counts::default(), 0));
     }
     let written: Vec<bool> =
         (0..buffers.len()).map(|index| ranges.iter().any(|r| r.buffer == index && r.write)).collect();
     let grid = Grid::new(code, groups, settings);
-    let tallies = match settings.pool {
+    let work = match settings.pool {
         Some(pool) if grid.gangs() > 1 => {
             let views = views(buffers, ranges, &written, |words| {
                 <[AtomicU32]>::mut_from_bytes(words.as_mut_bytes()).map_or(&[][..], |words| &*words)
@@ -74,8 +74,8 @@ pub(crate) fn run(
             grid.sequential(&launch, settings.level)
         }
     };
-    match tallies {
-        Ok(tallies) => Ok(counts(code, groups, &tallies)),
+    match work {
+        Ok(work) => Ok((counts(code, groups, &work.tallies), work.chunk_ops * CHUNK as u64)),
         Err((stop, first)) => Err(grid.trap(code, program, stop, first, settings.fuel)),
     }
 }
@@ -106,6 +106,19 @@ struct Grid {
     lanes: usize,
     /// Gangs along x.
     columns: u64,
+}
+
+/// What gangs did.
+struct Work {
+    tallies: Vec<Tally>,
+    chunk_ops: u64,
+}
+
+impl Work {
+    fn plus(&self, other: &Self) -> Self {
+        let tallies = self.tallies.iter().zip(&other.tallies).map(|(a, b)| a.plus(*b)).collect();
+        Work { tallies, chunk_ops: self.chunk_ops + other.chunk_ops }
+    }
 }
 
 type Stopped = (Stop, [u32; 3]);
@@ -169,10 +182,10 @@ impl Grid {
         [index % x, index / x % y, index / (x * y)]
     }
 
-    fn sequential<W: SharedWord>(&self, launch: &Launch<'_, W>, level: Level) -> Result<Vec<Tally>, Stopped> {
+    fn sequential<W: SharedWord>(&self, launch: &Launch<'_, W>, level: Level) -> Result<Work, Stopped> {
         let mut worker = Worker::new(launch.code, launch.lanes);
         dispatch!(level, simd => self.all(simd, &mut worker, launch))?;
-        Ok(worker.tallies)
+        Ok(Work { tallies: worker.tallies, chunk_ops: worker.chunk_ops })
     }
 
     #[inline(always)]
@@ -184,7 +197,7 @@ impl Grid {
         Ok(())
     }
 
-    fn parallel(&self, launch: &Launch<'_, AtomicU32>, level: Level) -> Result<Vec<Tally>, Stopped> {
+    fn parallel(&self, launch: &Launch<'_, AtomicU32>, level: Level) -> Result<Work, Stopped> {
         let batch = (self.gangs() / (rayon::current_num_threads() as u64 * 16)).clamp(1, 1024);
         let batches = self.gangs().div_ceil(batch);
         let run = |index: u64| {
@@ -194,14 +207,14 @@ impl Grid {
                 let result = dispatch!(level, simd => worker.run(simd, launch, first));
                 result.map_err(|stop| (index, (stop, first)))?;
             }
-            Ok(worker.tallies)
+            Ok(Work { tallies: worker.tallies, chunk_ops: worker.chunk_ops })
         };
-        let merge = |a: Result<Vec<Tally>, (u64, Stopped)>, b: Result<Vec<Tally>, (u64, Stopped)>| match (a, b) {
-            (Ok(a), Ok(b)) => Ok(a.iter().zip(&b).map(|(a, b)| a.plus(*b)).collect()),
+        let merge = |a: Result<Work, (u64, Stopped)>, b: Result<Work, (u64, Stopped)>| match (a, b) {
+            (Ok(a), Ok(b)) => Ok(a.plus(&b)),
             (Err(a), Err(b)) => Err(if a.0 <= b.0 { a } else { b }),
             (Err(e), Ok(_)) | (Ok(_), Err(e)) => Err(e),
         };
-        let none = || Ok(vec![Tally::default(); launch.code.costs.len()]);
+        let none = || Ok(Work { tallies: vec![Tally::default(); launch.code.costs.len()], chunk_ops: 0 });
         (0..batches).into_par_iter().map(run).reduce(none, merge).map_err(|(_, stopped)| stopped)
     }
 
