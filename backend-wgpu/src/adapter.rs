@@ -137,7 +137,7 @@ pub(crate) fn reports(options: &WgpuOptions) -> Vec<AdapterReport> {
 }
 
 fn list(wanted: &Wanted) -> Vec<(Adapter, AdapterReport)> {
-    let backends = wanted.backends & Instance::enabled_backend_features();
+    let backends = wanted.backends & usable();
     if backends.is_empty() {
         return Vec::new();
     }
@@ -155,6 +155,11 @@ fn list(wanted: &Wanted) -> Vec<(Adapter, AdapterReport)> {
         found[index].1.chosen = true;
     }
     found
+}
+
+/// The interfaces that were compiled in and run kernels; wgpu's device that does nothing serves our own tests only.
+fn usable() -> Backends {
+    Instance::enabled_backend_features() - Backends::NOOP
 }
 
 fn rank(report: &AdapterReport) -> (bool, u8, u8, String, String) {
@@ -182,11 +187,11 @@ fn pick(wanted: &Wanted, reports: &[AdapterReport]) -> Option<usize> {
 }
 
 fn missing(wanted: &Wanted, reports: &[AdapterReport]) -> String {
-    let usable = wanted.backends & Instance::enabled_backend_features();
-    if usable.is_empty() {
+    let interfaces = wanted.backends & usable();
+    if interfaces.is_empty() {
         return "none of the graphics interfaces asked for exists here".to_owned();
     }
-    let interfaces = usable.iter_names().map(|(name, _)| name.to_lowercase()).collect::<Vec<_>>().join(", ");
+    let interfaces = interfaces.iter_names().map(|(name, _)| name.to_lowercase()).collect::<Vec<_>>().join(", ");
     if reports.is_empty() {
         return format!("the machine has no driver for {interfaces}; {SOFTWARE}");
     }

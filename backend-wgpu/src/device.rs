@@ -29,29 +29,23 @@ pub(crate) struct Device {
 }
 
 impl Device {
-    /// Opens a device with WebGPU's default limits and no optional feature.
+    /// Opens a device of `adapter`.
     pub(crate) fn open(adapter: &wgpu::Adapter, report: &AdapterReport, timeout: Duration) -> Result<Self> {
-        let descriptor = wgpu::DeviceDescriptor {
-            label: Some("sightlines"),
-            required_features: wgpu::Features::empty(),
-            required_limits: wgpu::Limits::defaults(),
-            memory_hints: wgpu::MemoryHints::MemoryUsage,
-            ..Default::default()
-        };
-        let (raw, queue) = pollster::block_on(adapter.request_device(&descriptor)).map_err(|error| {
+        let (raw, queue) = pollster::block_on(adapter.request_device(&descriptor())).map_err(|error| {
             let reason = if report.lacks.is_empty() { error.to_string() } else { report.lacks.join("; ") };
             DeviceError::NoAdapter { wanted: Some(report.name.clone()), reason }
         })?;
+        Ok(Self::new(raw, queue, timeout))
+    }
+
+    /// Takes over a device: its errors are reported here from now on.
+    pub(crate) fn new(raw: wgpu::Device, queue: wgpu::Queue, timeout: Duration) -> Self {
         let fault = Arc::new(Mutex::new(None));
         let uncaptured = Arc::clone(&fault);
-        raw.on_uncaptured_error(Arc::new(move |error| {
-            record(&uncaptured, typed(&error));
-        }));
+        raw.on_uncaptured_error(Arc::new(move |error| record(&uncaptured, typed(&error))));
         let lost = Arc::clone(&fault);
-        raw.set_device_lost_callback(move |_, reason| {
-            record(&lost, DeviceError::Lost(reason));
-        });
-        Ok(Device { raw, queue, fault, timeout })
+        raw.set_device_lost_callback(move |_, reason| record(&lost, DeviceError::Lost(reason)));
+        Device { raw, queue, fault, timeout }
     }
 
     pub(crate) fn raw(&self) -> &wgpu::Device {
@@ -126,6 +120,17 @@ impl Device {
     }
 }
 
+/// What every adapter is asked for: WebGPU's default limits, and no optional feature.
+fn descriptor() -> wgpu::DeviceDescriptor<'static> {
+    wgpu::DeviceDescriptor {
+        label: Some("sightlines"),
+        required_features: wgpu::Features::empty(),
+        required_limits: wgpu::Limits::defaults(),
+        memory_hints: wgpu::MemoryHints::MemoryUsage,
+        ..Default::default()
+    }
+}
+
 /// Whether the device is of no use after a fault.
 fn is_final(fault: &DeviceError) -> bool {
     matches!(fault, DeviceError::Lost(_) | DeviceError::Timeout { .. })
@@ -156,4 +161,84 @@ pub(crate) fn words(error: &wgpu::Error) -> String {
         next = cause.source();
     }
     if causes.is_empty() { error.to_string() } else { causes.join(": ") }
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+
+    /// wgpu's own device that executes copies and nothing else, but validates everything: the paths of errors, tested
+    /// without a driver.
+    pub(crate) fn noop() -> Device {
+        let (raw, queue) = wgpu::Device::noop(&descriptor());
+        Device::new(raw, queue, Duration::from_secs(10))
+    }
+
+    /// The error of the device that ended the work.
+    pub(crate) fn fault<T>(result: Result<T>) -> DeviceError {
+        let error = result.err().expect("the work must fail");
+        match error.kind() {
+            sightlines_backend::ErrorKind::Device(fault) => fault.clone(),
+            _ => panic!("not an error of the device: {error}"),
+        }
+    }
+
+    fn spoil(device: &Device) {
+        let usage = wgpu::BufferUsages::STORAGE;
+        let descriptor =
+            wgpu::BufferDescriptor { label: Some("spoilt"), size: u64::MAX, usage, mapped_at_creation: false };
+        drop(device.raw().create_buffer(&descriptor));
+    }
+
+    #[test]
+    fn a_scope_catches_errors_of_the_device_before_those_of_the_work() {
+        let device = noop();
+        let work = |device: &Device| {
+            spoil(device);
+            Err::<(), _>(sightlines_backend::Error::refused("the work", "none"))
+        };
+        match fault(device.scoped(|| work(&device))) {
+            DeviceError::Validation(words) => assert!(words.contains("label = 'spoilt'"), "{words}"),
+            other => panic!("{other}"),
+        }
+        device.scoped(|| Ok(())).expect("the error was reported once");
+    }
+
+    #[test]
+    fn an_error_outside_a_scope_is_reported_once() {
+        let device = noop();
+        spoil(&device);
+        assert!(matches!(fault(device.scoped(|| Ok(()))), DeviceError::Validation(_)));
+        device.scoped(|| Ok(())).expect("the error was reported once");
+    }
+
+    #[test]
+    fn a_lost_device_answers_everything() {
+        let device = noop();
+        device.raw().destroy();
+        for _ in 0..2 {
+            assert!(matches!(fault(device.run(|_| Ok(()))), DeviceError::Lost(_)));
+        }
+    }
+
+    #[test]
+    fn the_first_final_fault_stays() {
+        let device = noop();
+        device.give_up(DeviceError::Timeout { seconds: 3 });
+        record(&device.fault, DeviceError::Lost("later".into()));
+        spoil(&device);
+        for _ in 0..2 {
+            assert_eq!(fault(device.health()), DeviceError::Timeout { seconds: 3 });
+        }
+    }
+
+    #[test]
+    fn kinds_of_errors_are_kept() {
+        let source = || Box::new(std::fmt::Error);
+        let memory = wgpu::Error::OutOfMemory { source: source() };
+        let internal = wgpu::Error::Internal { source: source(), description: String::new() };
+        let reason = std::fmt::Error.to_string();
+        assert_eq!(typed(&memory), DeviceError::OutOfMemory(reason.clone()));
+        assert_eq!(typed(&internal), DeviceError::Validation(reason));
+    }
 }

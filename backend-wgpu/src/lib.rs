@@ -14,7 +14,7 @@
 //!   lost device or a timeout the backend refuses all further work with that first error; open a new one.
 //!
 //! OpenGL runs only when [`WgpuOptions::backends`] or `WGPU_BACKEND` names it. It serves smoke tests, not results: its
-//! shaders have no guard around integer `/` and `%`, and no bounds checks.
+//! shaders have no guard around integer `/` and `%`, no bounds checks, and its waits do not heed the limit of time.
 
 mod adapter;
 mod device;
@@ -24,7 +24,7 @@ mod submit;
 
 use std::sync::Arc;
 
-use sightlines_backend::{Backend, BackendInfo, BufferDesc, Program, Result, Session};
+use sightlines_backend::{Backend, BackendInfo, BufferDesc, Job, Outputs, Program, Result, Session, check};
 
 use crate::device::Device;
 use crate::pipeline::Pipelines;
@@ -87,6 +87,15 @@ impl Backend for WgpuBackend {
     }
 
     fn open(&self, programs: &[Arc<Program>], buffers: &[BufferDesc]) -> Result<Box<dyn Session + '_>> {
+        check::buffers(buffers)?;
         Ok(Box::new(WgpuSession::open(&self.device, &self.pipelines, programs, buffers)?))
+    }
+
+    // The check of the whole job stands for the checks that a session fed by hand makes at each step.
+    fn run(&self, job: &Job) -> Result<Outputs> {
+        check::job(job)?;
+        let mut session = WgpuSession::open(&self.device, &self.pipelines, &job.programs, &job.buffers)?;
+        job.recordings.iter().try_for_each(|recording| session.run(recording))?;
+        job.reads.iter().map(|read| session.fetch(read)).collect()
     }
 }

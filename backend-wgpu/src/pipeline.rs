@@ -4,24 +4,18 @@
 //! explicit, made from the contract's reflection, and hold exactly the bindings that the entry point uses, so the slots
 //! of a dispatch are the entries of its bind groups.
 //!
-//! Overrides are applied to the module before wgpu sees it, by the same function of naga that wgpu would call later:
-//! wgpu holds only their defaults against the limits on workgroup size, and would hand the driver a workgroup that is
-//! too large. It does not check the size of workgroup memory at all, so that check stands here.
+//! Overrides are applied to the module before wgpu sees it, by the contract's own function: wgpu would hold only their
+//! defaults against the limit on workgroup size, and hand the driver a workgroup that is too large.
 
 use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
 use std::num::NonZeroU64;
 use std::sync::{Arc, Mutex};
 
-use naga::back::pipeline_constants::process_overrides;
-use naga::valid::ModuleInfo;
-use sightlines_backend::{Access, Binding, DeviceError, Dispatch, Entry, Error, Program, Result};
+use sightlines_backend::{Access, Binding, DeviceError, Dispatch, Entry, Error, ErrorKind, Program, Result};
 use wgpu::{BindGroupLayout, BindGroupLayoutEntry, BindingType, BufferBindingType, ShaderStages};
 
 use crate::device::{Device, lock, words};
-
-/// Largest workgroup memory of a device with WebGPU's default limits, in bytes.
-const WORKGROUP_MEMORY: u64 = wgpu::Limits::defaults().max_compute_workgroup_storage_size as u64;
 
 /// Program id, entry point, and overrides with the bits of their values, sorted by name.
 type Key = (String, String, Vec<(String, u64)>);
@@ -61,6 +55,15 @@ impl Pipelines {
         Ok(module)
     }
 
+    /// The module with the overrides of a dispatch applied, where there are any.
+    fn specialised(&self, device: &Device, program: &Program, dispatch: &Dispatch) -> Result<wgpu::ShaderModule> {
+        if program.module().overrides.is_empty() && dispatch.overrides.is_empty() {
+            return self.module(device, program);
+        }
+        let (module, _) = program.specialise(&dispatch.entry, &dispatch.overrides)?;
+        shader_module(device, program.label(), module.into_owned())
+    }
+
     /// The pipeline that a dispatch runs.
     pub(crate) fn pipeline(&self, device: &Device, program: &Program, dispatch: &Dispatch) -> Result<Arc<Pipeline>> {
         let mut overrides =
@@ -72,10 +75,8 @@ impl Pipelines {
             return Ok(Arc::clone(pipeline));
         }
         let entry = entry(program, &dispatch.entry)?;
-        let module = match specialise(program, dispatch)? {
-            Some(module) => shader_module(device, program.label(), module)?,
-            None => self.module(device, program)?,
-        };
+        buffers_only(program, &entry.name)?;
+        let module = self.specialised(device, program, dispatch)?;
         let pipeline = Arc::new(compile(device, program, &module, entry, pipelines.len())?);
         pipelines.insert(key, Arc::clone(&pipeline));
         Ok(pipeline)
@@ -96,36 +97,17 @@ fn shader_module(device: &Device, label: &str, module: naga::Module) -> Result<w
     device.scoped_as(|error| refused(label, error), || Ok(device.raw().create_shader_module(descriptor)))
 }
 
-/// The module with its overrides applied, where it has any, within the limit on workgroup memory.
-fn specialise(program: &Program, dispatch: &Dispatch) -> Result<Option<naga::Module>> {
-    let refuse = |reason| DeviceError::Compile { entry: format!("{}::{}", program.label(), dispatch.entry), reason };
-    let (module, info) = if program.module().overrides.is_empty() && dispatch.overrides.is_empty() {
-        (Cow::Borrowed(program.module()), Cow::Borrowed(program.info()))
-    } else {
-        let entry = Some((naga::ShaderStage::Compute, dispatch.entry.as_str()));
-        let constants = dispatch.overrides.iter().cloned().collect();
-        process_overrides(program.module(), program.info(), entry, &constants).map_err(|e| refuse(e.to_string()))?
-    };
-    let memory = workgroup_memory(&module, &info, &dispatch.entry);
-    if memory > WORKGROUP_MEMORY {
-        let reason = format!("it uses {memory} bytes of workgroup memory, a device has {WORKGROUP_MEMORY}");
-        return Err(refuse(reason).into());
-    }
-    Ok(match module {
-        Cow::Borrowed(_) => None,
-        Cow::Owned(module) => Some(module),
+/// A program with textures or samplers is valid WGSL, but slots bind buffers only.
+fn buffers_only(program: &Program, entry: &str) -> Result<()> {
+    program.opaque(entry).into_iter().next().map_or(Ok(()), |opaque| {
+        Err(ErrorKind::Unsupported {
+            backend: "wgpu",
+            feature: format!("binding `{}` of type {}", opaque.name, opaque.kind),
+            location: opaque.location,
+            remedy: "pass the data in a storage buffer".to_owned(),
+        }
+        .into())
     })
-}
-
-/// Workgroup memory of an entry point in bytes, counted as WebGPU counts it.
-fn workgroup_memory(module: &naga::Module, info: &ModuleInfo, entry: &str) -> u64 {
-    let Some(index) = module.entry_points.iter().position(|e| e.name == entry) else { return 0 };
-    let uses = info.get_entry_point(index);
-    let shared = |(handle, variable): &(naga::Handle<naga::GlobalVariable>, &naga::GlobalVariable)| {
-        variable.space == naga::AddressSpace::WorkGroup && !uses[*handle].is_empty()
-    };
-    let size = |variable: &naga::GlobalVariable| module.types[variable.ty].inner.size(module.to_ctx());
-    module.global_variables.iter().filter(shared).map(|(_, v)| u64::from(size(v)).next_multiple_of(16)).sum()
 }
 
 fn compile(

@@ -9,7 +9,8 @@ use std::num::NonZeroU64;
 use std::sync::Arc;
 
 use sightlines_backend::{
-    BufferDesc, BufferId, Command, Dispatch, Error, Groups, Program, ProgramId, Read, Recording, Result, Session, Slot,
+    BufferDesc, BufferId, Command, DeviceError, Dispatch, Groups, Program, Read, Recording, Result, Session, Slot,
+    check,
 };
 use wgpu::{BindGroup, BindGroupEntry, Buffer, BufferBinding, BufferUsages, CommandEncoder, ComputePass};
 
@@ -26,6 +27,7 @@ pub(crate) struct WgpuSession<'a> {
     device: &'a Device,
     pipelines: &'a Pipelines,
     programs: Vec<Arc<Program>>,
+    descs: Vec<BufferDesc>,
     buffers: Vec<Buffer>,
     groups: HashMap<GroupKey, BindGroup>,
 }
@@ -42,16 +44,29 @@ impl<'a> WgpuSession<'a> {
         for program in programs {
             pipelines.module(device, program)?;
         }
-        let buffers = buffers.iter().map(|desc| allocate(device, desc)).collect::<Result<_>>()?;
-        Ok(WgpuSession { device, pipelines, programs: programs.to_vec(), buffers, groups: HashMap::new() })
+        let (programs, descs) = (programs.to_vec(), buffers.to_vec());
+        let buffers = descs.iter().map(|desc| allocate(device, desc)).collect::<Result<_>>()?;
+        Ok(WgpuSession { device, pipelines, programs, descs, buffers, groups: HashMap::new() })
     }
 
-    fn buffer(&self, id: BufferId) -> Result<&Buffer> {
-        self.buffers.get(id.0 as usize).ok_or_else(|| unknown("buffer", id.0))
+    /// Runs a recording that has passed the contract's check.
+    pub(crate) fn run(&mut self, recording: &Recording) -> Result<()> {
+        let device = self.device;
+        batches(recording).iter().try_for_each(|steps| {
+            device.run(|encoder| {
+                let staging = stage(device, steps)?;
+                self.encode(steps, staging.as_ref(), encoder)
+            })
+        })
     }
 
-    fn program(&self, id: ProgramId) -> Result<&Arc<Program>> {
-        self.programs.get(id.0 as usize).ok_or_else(|| unknown("program", id.0))
+    /// Reads a range that has passed the contract's check.
+    pub(crate) fn fetch(&self, read: &Read) -> Result<Vec<u8>> {
+        readback::read(self.device, self.buffer(read.buffer), read.offset, read.size)
+    }
+
+    fn buffer(&self, id: BufferId) -> &Buffer {
+        &self.buffers[id.0 as usize]
     }
 
     fn encode(&mut self, steps: &[Step<'_>], staging: Option<&Buffer>, encoder: &mut CommandEncoder) -> Result<()> {
@@ -63,84 +78,65 @@ impl<'a> WgpuSession<'a> {
             } else if let Step::Upload { buffer, offset, bytes } = &run[0] {
                 let size = bytes.len() as u64;
                 if let Some(staging) = staging {
-                    encoder.copy_buffer_to_buffer(staging, staged, self.buffer(*buffer)?, *offset, size);
+                    encoder.copy_buffer_to_buffer(staging, staged, self.buffer(*buffer), *offset, size);
                 }
                 staged += size;
             } else {
-                self.transfer(&run[0], encoder)?;
+                self.transfer(&run[0], encoder);
             }
         }
         Ok(())
     }
 
-    fn transfer(&self, step: &Step<'_>, encoder: &mut CommandEncoder) -> Result<()> {
+    fn transfer(&self, step: &Step<'_>, encoder: &mut CommandEncoder) {
         match *step {
             Step::Command(&Command::Clear { buffer, offset, size }) if size > 0 => {
-                encoder.clear_buffer(self.buffer(buffer)?, offset, Some(size));
+                encoder.clear_buffer(self.buffer(buffer), offset, Some(size));
             }
             Step::Command(&Command::Copy { from, from_offset, to, to_offset, size }) if size > 0 => {
-                encoder.copy_buffer_to_buffer(self.buffer(from)?, from_offset, self.buffer(to)?, to_offset, size);
+                encoder.copy_buffer_to_buffer(self.buffer(from), from_offset, self.buffer(to), to_offset, size);
             }
             _ => {}
         }
-        Ok(())
     }
 
     fn dispatch(&mut self, dispatch: &Dispatch, pass: &mut ComputePass<'_>) -> Result<()> {
-        let program = Arc::clone(self.program(dispatch.program)?);
+        let program = Arc::clone(&self.programs[dispatch.program.0 as usize]);
         let pipeline = self.pipelines.pipeline(self.device, &program, dispatch)?;
         pass.set_pipeline(&pipeline.raw);
         for &group in pipeline.layouts.keys() {
-            pass.set_bind_group(group, self.bind(&pipeline, group, &dispatch.slots)?, &[]);
+            pass.set_bind_group(group, self.bind(&pipeline, group, &dispatch.slots), &[]);
         }
         match dispatch.groups {
             Groups::Direct(groups) if groups.contains(&0) => {}
             Groups::Direct([x, y, z]) => pass.dispatch_workgroups(x, y, z),
-            Groups::Indirect { buffer, offset } => pass.dispatch_workgroups_indirect(self.buffer(buffer)?, offset),
+            Groups::Indirect { buffer, offset } => pass.dispatch_workgroups_indirect(self.buffer(buffer), offset),
         }
         Ok(())
     }
 
     /// The bind group of some slots, made once.
-    fn bind(&mut self, pipeline: &Pipeline, group: u32, slots: &[Slot]) -> Result<&BindGroup> {
+    fn bind(&mut self, pipeline: &Pipeline, group: u32, slots: &[Slot]) -> &BindGroup {
         let slots = slots.iter().filter(|slot| slot.group == group).collect::<Vec<_>>();
         let ranges = slots.iter().map(|s| (s.binding, s.buffer.0, s.offset, s.size)).collect();
-        let key = (pipeline.id, group, ranges);
-        if !self.groups.contains_key(&key) {
-            let entries = slots.iter().map(|slot| self.entry(slot)).collect::<Result<Vec<_>>>()?;
-            let made = self.device.raw().create_bind_group(&wgpu::BindGroupDescriptor {
-                label: None,
-                layout: &pipeline.layouts[&group],
-                entries: &entries,
-            });
-            self.groups.insert(key.clone(), made);
-        }
-        Ok(&self.groups[&key])
-    }
-
-    fn entry(&self, slot: &Slot) -> Result<BindGroupEntry<'_>> {
-        let size = NonZeroU64::new(slot.size).ok_or_else(|| {
-            let what = format!("@group({}) @binding({}) is bound to no bytes", slot.group, slot.binding);
-            Error::refused(what, "bind at least one element, or leave out the dispatch")
-        })?;
-        let range = BufferBinding { buffer: self.buffer(slot.buffer)?, offset: slot.offset, size: Some(size) };
-        Ok(BindGroupEntry { binding: slot.binding, resource: wgpu::BindingResource::Buffer(range) })
+        let (device, buffers) = (self.device, &self.buffers);
+        self.groups.entry((pipeline.id, group, ranges)).or_insert_with(|| {
+            let entries = slots.iter().map(|slot| entry(slot, &buffers[slot.buffer.0 as usize])).collect::<Vec<_>>();
+            let layout = &pipeline.layouts[&group];
+            device.raw().create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
+        })
     }
 }
 
 impl Session for WgpuSession<'_> {
     fn submit(&mut self, recording: &Recording) -> Result<()> {
-        let device = self.device;
-        batches(recording).iter().try_for_each(|steps| {
-            device.run(|encoder| {
-                let staging = stage(device, steps)?;
-                self.encode(steps, staging.as_ref(), encoder)
-            })
-        })
+        check::recording(&self.descs, &self.programs, recording)?;
+        self.run(recording)
     }
 
     fn read(&mut self, read: &Read) -> Result<Vec<u8>> {
-        readback::read(self.device, self.buffer(read.buffer)?, read.offset, read.size)
+        check::read(&self.descs, read)?;
+        self.fetch(read)
     }
 }
 
@@ -211,10 +207,8 @@ fn stage(device: &Device, steps: &[Step<'_>]) -> Result<Option<Buffer>> {
         mapped_at_creation: true,
     });
     // Out of memory, the buffer is invalid and cannot be mapped; the scope around the submission then has the reason.
-    let mut view = staging
-        .slice(..)
-        .get_mapped_range_mut()
-        .map_err(|error| sightlines_backend::DeviceError::OutOfMemory(error.to_string()))?;
+    let mut view =
+        staging.slice(..).get_mapped_range_mut().map_err(|error| DeviceError::OutOfMemory(error.to_string()))?;
     let mut start = 0;
     for bytes in steps.iter().map(Step::upload) {
         view.slice(start..start + bytes.len()).copy_from_slice(bytes);
@@ -225,12 +219,12 @@ fn stage(device: &Device, steps: &[Step<'_>]) -> Result<Option<Buffer>> {
     Ok(Some(staging))
 }
 
+fn entry<'a>(slot: &Slot, buffer: &'a Buffer) -> BindGroupEntry<'a> {
+    let range = BufferBinding { buffer, offset: slot.offset, size: NonZeroU64::new(slot.size) };
+    BindGroupEntry { binding: slot.binding, resource: wgpu::BindingResource::Buffer(range) }
+}
+
 fn allocate(device: &Device, desc: &BufferDesc) -> Result<Buffer> {
-    let limit = device.raw().limits().max_buffer_size;
-    if desc.size > limit {
-        let what = format!("buffer `{}` has {} bytes, a device's largest has {limit}", desc.label, desc.size);
-        return Err(Error::refused(what, "split it into several buffers"));
-    }
     device.scoped(|| {
         Ok(device.raw().create_buffer(&wgpu::BufferDescriptor {
             label: Some(&desc.label),
@@ -246,13 +240,11 @@ fn allocate(device: &Device, desc: &BufferDesc) -> Result<Buffer> {
     })
 }
 
-fn unknown(what: &str, index: u32) -> Error {
-    Error::refused(format!("there is no {what} {index} in the session"), "use an index into the job's own table")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::device::tests::{fault, noop};
+    use sightlines_backend::{Job, Linked};
 
     fn upload(offset: u64, size: u64) -> Command {
         Command::Upload { buffer: BufferId(0), offset, bytes: vec![0; size as usize] }
@@ -286,5 +278,70 @@ mod tests {
             vec![Some((8 + 2 * CHUNK, 4)), None, Some((0, 8))],
         ];
         assert_eq!(cut, expected);
+    }
+
+    /// One dispatch of a kernel that wgpu accepts, which `change` may spoil, handed to the device unchecked.
+    fn unchecked(wgsl: &str, change: impl FnOnce(&mut Dispatch)) -> Result<usize> {
+        let program = Program::unlinted("touch", Linked::single("touch.wgsl", wgsl)?)?;
+        let mut job = Job::new();
+        let (id, out) = (job.program(&program), job.buffer("out", 1024));
+        job.dispatch(id, "touch", &[(0, out)], [1, 1, 1]);
+        if let Command::Dispatch(dispatch) = &mut job.recordings[0].commands[0] {
+            change(dispatch);
+        }
+        let (device, pipelines) = (noop(), Pipelines::default());
+        let mut session = WgpuSession::open(&device, &pipelines, &job.programs, &job.buffers)?;
+        session.run(&job.recordings[0])?;
+        Ok(session.groups.len())
+    }
+
+    const TOUCH: &str = "
+override lanes: u32 = 1u;
+@group(0) @binding(0) var<storage, read_write> out: array<u32>;
+@compute @workgroup_size(lanes)
+fn touch() { out[0] = 1u; }";
+
+    #[test]
+    fn the_device_refuses_what_the_check_would_have() {
+        assert_eq!(unchecked(TOUCH, |_| {}).expect("it is well formed"), 1);
+        let spoilt: [fn(&mut Dispatch); 4] = [
+            |dispatch| dispatch.slots.clear(),
+            |dispatch| dispatch.slots[0].size = 1028,
+            |dispatch| dispatch.slots[0].offset = 4,
+            |dispatch| dispatch.groups = Groups::Direct([65536, 1, 1]),
+        ];
+        for change in spoilt {
+            assert!(matches!(fault(unchecked(TOUCH, change)), DeviceError::Validation(_)));
+        }
+    }
+
+    #[test]
+    fn a_pipeline_that_the_device_refuses_is_named() {
+        let too_many = |group: u32| TOUCH.replace("@group(0)", &format!("@group({group})"));
+        let too_large = unchecked(TOUCH, |dispatch| dispatch.overrides.push(("lanes".into(), 257.0)));
+        for spoilt in [too_large, unchecked(&too_many(4), |_| {}), unchecked(&too_many(i32::MAX as u32), |_| {})] {
+            match fault(spoilt) {
+                DeviceError::Compile { entry, .. } => assert_eq!(entry.split("::").next(), Some("touch")),
+                other => panic!("{other}"),
+            }
+        }
+    }
+
+    #[test]
+    fn copies_and_uploads_keep_their_order_on_any_device() {
+        let mut job = Job::new();
+        let (a, b) = (job.upload("a", &[1u32, 2, 3]), job.buffer("b", 12));
+        let copy = |from_offset, to_offset| Command::Copy { from: a, from_offset, to: b, to_offset, size: 4 };
+        job.record(copy(0, 8));
+        job.record(Command::Upload { buffer: a, offset: 0, bytes: vec![9; 4] });
+        job.record(copy(0, 0));
+        job.record(Command::Clear { buffer: a, offset: 4, size: 4 });
+        job.record(copy(4, 4));
+        job.read("b", b);
+        let (device, pipelines) = (noop(), Pipelines::default());
+        let mut session = WgpuSession::open(&device, &pipelines, &[], &job.buffers).expect("buffers are small");
+        session.submit(&job.recordings[0]).expect("copies are valid");
+        let expected = [[9; 4], [0; 4], [1, 0, 0, 0]].concat();
+        assert_eq!(session.read(&job.reads[0]).expect("it can be read"), expected);
     }
 }

@@ -17,6 +17,7 @@ pub(crate) const TESTS: &[(&str, Test)] = &[
     ("uniform_and_offset_slots", uniform_and_offset_slots),
     ("groups_with_a_gap", groups_with_a_gap),
     ("eight_storage_buffers", eight_storage_buffers),
+    ("one_buffer_bound_in_several_places", one_buffer_bound_in_several_places),
     ("two_programs_share_a_buffer", two_programs_share_a_buffer),
     ("atomics_over_many_workgroups", atomics_over_many_workgroups),
     ("workgroup_memory_and_barriers", workgroup_memory_and_barriers),
@@ -212,6 +213,32 @@ fn eight_storage_buffers(backend: &WgpuBackend) -> Result<()> {
     slots.push((7, out));
     job.dispatch(add, "add", &slots, [1, 1, 1]);
     assert_eq!(run(backend, &mut job, out)?, [1_111_111]);
+    Ok(())
+}
+
+/// What the contract's check lets share a buffer: written ranges apart, and any number of readers.
+fn one_buffer_bound_in_several_places(backend: &WgpuBackend) -> Result<()> {
+    let text = "
+@group(0) @binding(0) var<uniform> scale: vec4<u32>;
+@group(0) @binding(1) var<storage, read> input: array<u32>;
+@group(0) @binding(2) var<storage, read_write> low: array<u32>;
+@group(1) @binding(0) var<storage, read_write> high: array<u32>;
+@compute @workgroup_size(1)
+fn spread(@builtin(workgroup_id) id: vec3<u32>) {
+    low[id.x] = input[id.x] * scale.x;
+    high[id.x] = input[id.x] + scale.y;
+}";
+    let mut job = Job::new();
+    let spread = job.program(&program("spread", text)?);
+    let (input, out) = (job.upload("input", &[3u32, 1, 1, 9]), job.buffer("out", 1024));
+    let part = |group, binding, offset| Slot { group, binding, buffer: out, offset, size: 256 };
+    let slots = vec![job.slot(0, input), job.slot(1, input), part(0, 2, 0), part(1, 0, 512)];
+    let (entry, groups) = ("spread".into(), Groups::Indirect { buffer: input, offset: 0 });
+    job.record(Command::Dispatch(Dispatch { program: spread, entry, overrides: Vec::new(), slots, groups }));
+    let mut expected = [0; 256];
+    expected[..3].copy_from_slice(&[9, 3, 3]);
+    expected[128..131].copy_from_slice(&[4, 2, 2]);
+    assert_eq!(run(backend, &mut job, out)?, expected);
     Ok(())
 }
 
