@@ -11,9 +11,11 @@ pub use reference::Reference;
 pub struct Engine {
     pub name: String,
     pub backend: Box<dyn Backend>,
+    /// Whether an access out of bounds stops it.
+    pub traps: bool,
 }
 
 /// The reference and the interpreter at its settings.
 pub fn engines() -> Vec<Engine> {
-    vec![Engine { name: "reference".into(), backend: Box::new(Reference) }]
+    vec![Engine { name: "reference".into(), backend: Box::new(Reference), traps: false }]
 }

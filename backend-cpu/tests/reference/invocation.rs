@@ -13,7 +13,7 @@ use super::unsupported;
 use super::value::Value;
 
 /// Loop iterations that one dispatch may take.
-const FUEL: u64 = 1 << 26;
+const FUEL: u64 = 1 << 22;
 
 /// Memory and counters that the invocations of a dispatch share.
 pub struct Shared<'a> {
@@ -125,7 +125,7 @@ impl<'a> Invocation<'a> {
             }
             Statement::Switch { selector, cases } => return self.switch(frame, *selector, cases).await,
             Statement::Loop { body, continuing, break_if } => {
-                return self.repeat(frame, body, continuing, *break_if, span).await;
+                return self.repeat(frame, body, continuing, *break_if).await;
             }
             Statement::Break => return Ok(Flow::Break),
             Statement::Continue => return Ok(Flow::Continue),
@@ -184,10 +184,9 @@ impl<'a> Invocation<'a> {
         body: &'a Block,
         continuing: &'a Block,
         break_if: Option<Handle<Expression>>,
-        span: Span,
     ) -> Result<Flow> {
         loop {
-            self.burn(span)?;
+            self.burn()?;
             match self.block(frame, body).await? {
                 Flow::Next | Flow::Continue => {}
                 Flow::Break => return Ok(Flow::Next),
@@ -202,7 +201,7 @@ impl<'a> Invocation<'a> {
         }
     }
 
-    fn burn(&self, _: Span) -> Result<()> {
+    fn burn(&self) -> Result<()> {
         let used = self.shared.fuel.get();
         if used == FUEL {
             let kind = TrapKind::OutOfFuel { limit: FUEL };

@@ -5,7 +5,8 @@
 
 use std::cell::RefCell;
 
-use naga::{ArraySize, Handle, Module, Scalar, Type, TypeInner, VectorSize};
+use naga::proc::IndexableLength;
+use naga::{Handle, Module, Scalar, Type, TypeInner, VectorSize};
 use sightlines_backend::Result;
 
 use super::unsupported;
@@ -65,10 +66,10 @@ pub fn kind(module: &Module, shape: Shape) -> Result<Kind<'_>> {
         TypeInner::Vector { size, scalar } => Kind::Vector(*size as usize, *scalar),
         TypeInner::Matrix { columns, rows, scalar } => Kind::Matrix(*columns as usize, *rows, *scalar),
         TypeInner::Array { base, size, stride } => {
-            let length = match size {
-                ArraySize::Constant(n) => Some(n.get() as usize),
-                ArraySize::Dynamic => None,
-                ArraySize::Pending(_) => return unsupported("array of a size that no override fixes"),
+            let length = match size.resolve(module.to_ctx()) {
+                Ok(IndexableLength::Known(n)) => Some(n as usize),
+                Ok(IndexableLength::Dynamic) => None,
+                Err(_) => return unsupported("array of a size that no override fixes"),
             };
             Kind::Array(*base, length, *stride as usize / 4)
         }

@@ -1,0 +1,202 @@
+//! Reads and runs the files of `tests/shaders` and `tests/regressions`.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use sightlines_backend::{Backend, BufferId, Command, Dispatch, Groups, Job, Linked, Program};
+
+use crate::engines::Engine;
+
+/// What a file says.
+pub struct Script {
+    path: String,
+    text: String,
+    buffers: BTreeMap<u32, Vec<u32>>,
+    dispatches: Vec<Launch>,
+    expected: BTreeMap<u32, Vec<u32>>,
+    /// Line and text of the message.
+    trap: Option<(u32, String)>,
+    fails: Option<String>,
+}
+
+struct Launch {
+    entry: String,
+    overrides: Vec<(String, f64)>,
+    groups: Count,
+}
+
+enum Count {
+    Direct([u32; 3]),
+    /// Binding and byte offset.
+    Indirect(u32, u64),
+}
+
+/// The WGSL files of a folder, sorted.
+pub fn wgsl_files(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+    let mut files: Vec<PathBuf> = entries.filter(|p| p.extension().is_some_and(|e| e == "wgsl")).collect();
+    files.sort();
+    files
+}
+
+impl Script {
+    pub fn read(path: &Path) -> Result<Self, String> {
+        let text = std::fs::read_to_string(path).map_err(|e| format!("{}: {e}", path.display()))?;
+        Self::parse(&path.file_name().unwrap_or_default().to_string_lossy(), text)
+    }
+
+    pub fn parse(path: &str, text: String) -> Result<Self, String> {
+        let mut script = Script {
+            path: path.to_owned(),
+            text: String::new(),
+            buffers: BTreeMap::new(),
+            dispatches: Vec::new(),
+            expected: BTreeMap::new(),
+            trap: None,
+            fails: None,
+        };
+        let mut overrides = Vec::new();
+        for (index, line) in text.lines().enumerate() {
+            let Some(directive) = line.strip_prefix("//! ") else { continue };
+            script
+                .directive(directive, &mut overrides)
+                .ok_or_else(|| format!("{path}:{}: cannot read `{directive}`", index + 1))?;
+        }
+        script.text = text;
+        let silent = script.expected.is_empty() && script.trap.is_none() && script.fails.is_none();
+        if silent || script.dispatches.is_empty() {
+            return Err(format!("{path}: runs or expects nothing"));
+        }
+        Ok(script)
+    }
+
+    fn directive(&mut self, directive: &str, overrides: &mut Vec<(String, f64)>) -> Option<()> {
+        let (head, rest) = directive.split_once(": ")?;
+        match head.split_once(' ').unwrap_or((head, "")) {
+            ("buffer", binding) => {
+                self.buffers.insert(binding.parse().ok()?, words(rest)?);
+            }
+            ("expect", binding) => {
+                self.expected.insert(binding.parse().ok()?, words(rest)?);
+            }
+            ("override", _) => {
+                let (name, value) = rest.split_once(" = ")?;
+                overrides.retain(|(n, _)| n != name);
+                overrides.push((name.to_owned(), value.parse().ok()?));
+            }
+            ("dispatch", _) => {
+                let mut parts = rest.split_whitespace();
+                let entry = parts.next()?.to_owned();
+                let groups: Vec<u32> = parts.map(|p| p.parse().ok()).collect::<Option<_>>()?;
+                let groups = Count::Direct(groups.try_into().ok()?);
+                self.dispatches.push(Launch { entry, overrides: overrides.clone(), groups });
+            }
+            ("indirect", _) => {
+                let [entry, binding, offset] = rest.split_whitespace().collect::<Vec<_>>().try_into().ok()?;
+                let groups = Count::Indirect(binding.parse().ok()?, offset.parse().ok()?);
+                self.dispatches.push(Launch { entry: entry.to_owned(), overrides: overrides.clone(), groups });
+            }
+            ("trap", _) => {
+                let (line, message) = rest.split_once(' ')?;
+                self.trap = Some((line.parse().ok()?, message.to_owned()));
+            }
+            ("fails", _) => self.fails = Some(rest.to_owned()),
+            _ => return None,
+        }
+        Some(())
+    }
+
+    /// Runs everything on one machine and compares.
+    pub fn run(&self, engine: &Engine) -> Result<(), String> {
+        let result = self.execute(engine.backend.as_ref());
+        if let Some(wanted) = &self.fails {
+            return refusal(result, wanted);
+        }
+        if engine.traps
+            && let Some((line, message)) = &self.trap
+        {
+            let place = format!("{}:{line}:", self.path);
+            return refusal(result, message).and(refusal(self.execute(engine.backend.as_ref()), &place));
+        }
+        let outputs = result?;
+        for ((binding, expected), output) in self.expected.iter().zip(outputs) {
+            compare(&self.path, *binding, expected, &output)?;
+        }
+        Ok(())
+    }
+
+    /// The expected buffers as they come out.
+    fn execute(&self, backend: &dyn Backend) -> Result<Vec<Vec<u32>>, String> {
+        let linked = Linked::single(&self.path, &self.text).map_err(|e| e.to_string())?;
+        let program = Program::unlinted(&self.path, linked).map_err(|e| e.to_string())?;
+        let mut job = Job::new();
+        let id = job.program(&program);
+        let upload = |(&binding, words): (&u32, &Vec<u32>)| (binding, job.upload(format!("{binding}"), words));
+        let buffers: BTreeMap<u32, BufferId> = self.buffers.iter().map(upload).collect();
+        for launch in &self.dispatches {
+            let entry = program.entry(&launch.entry).ok_or_else(|| format!("no entry point {}", launch.entry))?;
+            let used = entry.bindings.iter().map(|&b| &program.bindings()[b]);
+            let slot = |binding: u32| buffers.get(&binding).map(|&buffer| job.slot(binding, buffer));
+            let slots = used.map(|b| slot(b.binding).ok_or_else(|| format!("no buffer {}", b.binding)));
+            let slots = slots.collect::<Result<_, _>>()?;
+            let groups = match launch.groups {
+                Count::Direct(groups) => Groups::Direct(groups),
+                Count::Indirect(binding, offset) => Groups::Indirect { buffer: buffers[&binding], offset },
+            };
+            let (entry, overrides) = (launch.entry.clone(), launch.overrides.clone());
+            job.record(Command::Dispatch(Dispatch { program: id, entry, overrides, slots, groups }));
+        }
+        for binding in self.expected.keys() {
+            job.read(format!("{binding}"), buffers[binding]);
+        }
+        let outputs = backend.run(&job).map_err(|e| e.to_string())?;
+        let word = |b: &[u8]| u32::from_le_bytes([b[0], b[1], b[2], b[3]]);
+        Ok(outputs.iter().map(|bytes| bytes.chunks_exact(4).map(word).collect()).collect())
+    }
+}
+
+fn refusal(result: Result<Vec<Vec<u32>>, String>, wanted: &str) -> Result<(), String> {
+    match result {
+        Ok(_) => Err(format!("ran, but must fail with `{wanted}`")),
+        Err(message) if message.contains(wanted) => Ok(()),
+        Err(message) => Err(format!("must fail with `{wanted}`, but said: {message}")),
+    }
+}
+
+fn compare(path: &str, binding: u32, expected: &[u32], got: &[u32]) -> Result<(), String> {
+    if expected == got {
+        return Ok(());
+    }
+    let first = expected.iter().zip(got).position(|(e, g)| e != g).unwrap_or(expected.len().min(got.len()));
+    let differing = expected.iter().zip(got).filter(|(e, g)| e != g).count();
+    let at = |words: &[u32]| words.get(first).map_or("nothing".into(), |w| format!("{w:#010x} ({w})"));
+    Err(format!(
+        "{path}: buffer {binding} differs in {differing} of {} words; first at {first}: expected {}, got {}\n\
+         expected {expected:x?}\ngot      {got:x?}",
+        expected.len(),
+        at(expected),
+        at(got)
+    ))
+}
+
+/// `u32 1 2 0x3`, `i32 -1`, `f32 1.5`, `zero 16`; `v*n` repeats.
+fn words(text: &str) -> Option<Vec<u32>> {
+    let mut parts = text.split_whitespace();
+    let kind = parts.next()?;
+    if kind == "zero" {
+        return Some(vec![0; parts.next()?.parse().ok()?]);
+    }
+    let mut words = Vec::new();
+    for part in parts {
+        let (value, times) = part.split_once('*').unwrap_or((part, "1"));
+        let word = match (kind, value.strip_prefix("0x")) {
+            ("f32", None) => value.parse::<f32>().ok()?.to_bits(),
+            (_, Some(hex)) => u32::from_str_radix(hex, 16).ok()?,
+            ("i32", _) => value.parse::<i32>().ok()? as u32,
+            ("u32", _) => value.parse().ok()?,
+            _ => return None,
+        };
+        words.extend(std::iter::repeat_n(word, times.parse().ok()?));
+    }
+    Some(words)
+}
