@@ -434,6 +434,13 @@ pub struct Code {
     pub(crate) costs: Vec<crate::lower::Cost>,
 }
 
+impl Code {
+    /// Number of instructions: the machine cost that snapshots keep.
+    pub fn instructions(&self) -> usize {
+        self.insts.len()
+    }
+}
+
 impl fmt::Display for Code {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [x, y, z] = self.workgroup_size;
