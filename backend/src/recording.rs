@@ -178,11 +178,15 @@ impl Job {
     }
 
     /// Size of a buffer in bytes.
+    ///
+    /// # Panics
+    ///
+    /// Where the buffer is not this job's.
     pub fn size(&self, buffer: BufferId) -> u64 {
         self.buffers[buffer.0 as usize].size
     }
 
-    /// The whole of a buffer, bound to `@group(0) @binding(binding)`.
+    /// The whole of a buffer of this job, bound to `@group(0) @binding(binding)`.
     pub fn slot(&self, binding: u32, buffer: BufferId) -> Slot {
         Slot { group: 0, binding, buffer, offset: 0, size: self.size(buffer) }
     }
@@ -221,11 +225,15 @@ impl Job {
         bytes
     }
 
-    /// Reads what [`Job::to_bytes`] wrote. Programs are compiled again from their text.
+    /// Reads what [`Job::to_bytes`] wrote. Programs are compiled again from their text, under the same limits, and the
+    /// job is checked: any bytes give a job that a backend may run, or an error.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
-        let body =
+        let mut body =
             bytes.strip_prefix(MAGIC).ok_or_else(|| ErrorKind::Format("the first line is not its magic".into()))?;
-        let job: Job = ciborium::from_reader(body).map_err(|e| ErrorKind::Format(e.to_string()))?;
+        let job: Job = ciborium::from_reader(&mut body).map_err(|e| ErrorKind::Format(e.to_string()))?;
+        if !body.is_empty() {
+            return Err(ErrorKind::Format(format!("{} bytes follow the job", body.len())).into());
+        }
         crate::check::job(&job)?;
         Ok(job)
     }
