@@ -8,6 +8,8 @@ mod alu;
 mod gang;
 mod mask;
 mod memory;
+#[cfg(test)]
+mod tests;
 
 use std::cell::Cell;
 use std::sync::atomic::AtomicU32;

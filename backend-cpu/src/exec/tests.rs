@@ -1,0 +1,295 @@
+//! Every vector form of every operation, on every SIMD level of the machine, against the scalar semantics.
+
+use std::cell::Cell;
+
+use fearless_simd::{Level, dispatch};
+
+use super::alu::{self, Chunk, Rows};
+use super::mask::{CHUNK, Exec, Mask};
+use crate::Simd;
+use crate::code::{BinOp, Reg, TernOp, UnOp};
+use crate::semantics;
+
+const UNARY: &[UnOp] = {
+    use UnOp::*;
+    &[
+        Move,
+        Not,
+        NegI,
+        AbsI,
+        SignI,
+        NegF,
+        AbsF,
+        SignF,
+        Floor,
+        Ceil,
+        Trunc,
+        Round,
+        Sqrt,
+        InverseSqrt,
+        FloatToInt,
+        FloatToUint,
+        IntToFloat,
+        UintToFloat,
+        CountOneBits,
+        CountLeadingZeros,
+        CountTrailingZeros,
+        ReverseBits,
+        FirstLeadingBitI,
+        FirstLeadingBitU,
+        FirstTrailingBit,
+        Sin,
+        Cos,
+        Tan,
+        Asin,
+        Acos,
+        Atan,
+        Sinh,
+        Cosh,
+        Tanh,
+        Asinh,
+        Acosh,
+        Atanh,
+        Exp,
+        Exp2,
+        Log,
+        Log2,
+        QuantizeToF16,
+        PackHalf,
+        UnpackHalf,
+        PackSnorm8,
+        PackUnorm8,
+        PackSnorm16,
+        PackUnorm16,
+        FrexpFraction,
+        FrexpExponent,
+    ]
+};
+
+const BINARY: &[BinOp] = {
+    use BinOp::*;
+    &[
+        Add, Sub, Mul, And, Or, Xor, Shl, ShrU, ShrI, DivU, DivI, RemU, RemI, MinU, MaxU, MinI, MaxI, Eq, Ne, LtU, LeU,
+        LtI, LeI, AddF, SubF, MulF, DivF, RemF, MinF, MaxF, EqF, NeF, LtF, LeF, Atan2, Pow, Ldexp,
+    ]
+};
+
+/// Words at which operations change their behaviour.
+const EDGES: &[u32] = &[
+    0,
+    1,
+    2,
+    3,
+    5,
+    7,
+    31,
+    32,
+    33,
+    63,
+    127,
+    255,
+    0xffff,
+    0x10000,
+    0x007f_ffff,
+    0x0080_0000,
+    0x0080_0001,
+    0x3eff_ffff,
+    0x3f00_0000,
+    0x3f7f_ffff,
+    0x3f80_0000,
+    0x3fc0_0000,
+    0x4020_0000,
+    0x40a0_0000,
+    0x42fe_0000,
+    0x477f_e000,
+    0x4780_0000,
+    0x4b00_0000,
+    0x4b7f_ffff,
+    0x4eff_ffff,
+    0x4f00_0000,
+    0x4f7f_ffff,
+    0x4f80_0000,
+    0x7f7f_ffff,
+    0x7f80_0000,
+    0x7fc0_0000,
+    0x7fff_ffff,
+    0x8000_0000,
+    0x8000_0001,
+    0x8080_0000,
+    0xbf00_0000,
+    0xbf80_0000,
+    0xc020_0000,
+    0xcf00_0000,
+    0xff7f_ffff,
+    0xff80_0000,
+    0xffff_fffe,
+    0xffff_ffff,
+];
+
+const CHUNKS: usize = 4;
+const LANES: usize = CHUNKS * CHUNK;
+
+fn word(seed: u32) -> u32 {
+    let mixed = (seed ^ seed >> 16).wrapping_mul(0x45d9_f3b5);
+    let mixed = (mixed ^ mixed >> 15).wrapping_mul(0x2c1b_3c6d);
+    mixed ^ mixed >> 13
+}
+
+/// Rows of operands: edge words against each other, then words without pattern.
+fn operands() -> Vec<[[u32; LANES]; 3]> {
+    let pairs: Vec<(u32, u32)> = EDGES.iter().flat_map(|a| EDGES.iter().map(move |b| (*a, *b))).collect();
+    let mut rows = Vec::new();
+    for run in pairs.chunks(LANES) {
+        let at = |lane: usize| run[lane % run.len()];
+        let third = |lane: usize| EDGES[(lane * 7 + rows.len()) % EDGES.len()];
+        rows.push([std::array::from_fn(|l| at(l).0), std::array::from_fn(|l| at(l).1), std::array::from_fn(third)]);
+    }
+    for seed in 0..16 {
+        rows.push(std::array::from_fn(|row| std::array::from_fn(|lane| word(seed << 16 | (row << 8 | lane) as u32))));
+    }
+    rows
+}
+
+struct Files {
+    vectors: Vec<Chunk>,
+    scalars: Vec<u32>,
+}
+
+impl Files {
+    /// Operands in registers 1 to 3 of both files, what is left over in vector register 0.
+    fn new(rows: &[[u32; LANES]; 3]) -> Self {
+        let mut vectors = vec![Chunk([0x5555_5555; CHUNK]); CHUNKS];
+        for row in rows {
+            vectors.extend(row.as_chunks().0.iter().map(|chunk| Chunk(*chunk)));
+        }
+        Files { vectors, scalars: vec![0, rows[0][0], rows[1][0], rows[2][0]] }
+    }
+
+    fn run(&mut self, f: impl FnOnce(Rows<'_>)) -> Vec<u32> {
+        f(Rows {
+            vectors: Cell::from_mut(&mut self.vectors[..]).as_slice_of_cells(),
+            scalars: Cell::from_mut(&mut self.scalars[..]).as_slice_of_cells(),
+            chunks: CHUNKS,
+            low: 0,
+            high: CHUNKS,
+        });
+        self.vectors[..CHUNKS].iter().flat_map(|chunk| chunk.0).collect()
+    }
+}
+
+fn levels() -> Vec<(Simd, Level)> {
+    Simd::available().into_iter().filter_map(|simd| Some((simd, simd.level()?))).collect()
+}
+
+fn register(index: u16, scalar: bool) -> Reg {
+    if scalar { Reg::scalar(index) } else { Reg::vector(index) }
+}
+
+/// Equal bits, or two NaNs: the payload of a NaN is the host's.
+fn same(a: u32, b: u32) -> bool {
+    a == b || f32::from_bits(a).is_nan() && f32::from_bits(b).is_nan()
+}
+
+fn compare(what: &str, got: &[u32], want: impl Fn(usize) -> (u32, String)) {
+    for (lane, got) in got.iter().enumerate() {
+        let (want, operands) = want(lane);
+        assert!(same(*got, want), "{what} of {operands}: {got:#010x}, not {want:#010x}");
+    }
+}
+
+#[test]
+fn unary_operations_agree_on_every_level() {
+    for (simd, level) in levels() {
+        for rows in operands() {
+            for op in UNARY {
+                for scalar in [false, true] {
+                    let a = register(1, scalar);
+                    let got =
+                        Files::new(&rows).run(|r| dispatch!(level, s => alu::unary(s, r, *op, Reg::vector(0), a)));
+                    compare(&format!("{op:?} on {}", simd.name()), &got, |lane| {
+                        let a = rows[0][if scalar { 0 } else { lane }];
+                        (semantics::unary(*op, a), format!("{a:#010x}"))
+                    });
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn binary_operations_agree_on_every_level() {
+    for (simd, level) in levels() {
+        for rows in operands() {
+            for op in BINARY {
+                for form in 0..4 {
+                    let (a, b) = (register(1, form & 1 != 0), register(2, form & 2 != 0));
+                    let got =
+                        Files::new(&rows).run(|r| dispatch!(level, s => alu::binary(s, r, *op, Reg::vector(0), a, b)));
+                    compare(&format!("{op:?} on {}", simd.name()), &got, |lane| {
+                        let a = rows[0][if a.is_scalar() { 0 } else { lane }];
+                        let b = rows[1][if b.is_scalar() { 0 } else { lane }];
+                        (semantics::binary(*op, a, b), format!("{a:#010x}, {b:#010x}"))
+                    });
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn ternary_operations_agree_on_every_level() {
+    for (simd, level) in levels() {
+        for rows in operands() {
+            for op in [TernOp::Select, TernOp::Fma] {
+                for form in 0..8u16 {
+                    let args: [Reg; 3] = std::array::from_fn(|i| register(i as u16 + 1, form >> i & 1 != 0));
+                    let got =
+                        Files::new(&rows).run(|r| dispatch!(level, s => alu::ternary(s, r, op, Reg::vector(0), args)));
+                    compare(&format!("{op:?} on {}", simd.name()), &got, |lane| {
+                        let x: [u32; 3] = std::array::from_fn(|i| rows[i][if args[i].is_scalar() { 0 } else { lane }]);
+                        (semantics::ternary(op, x[0], x[1], x[2]), format!("{x:x?}"))
+                    });
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn masked_operations_agree_on_every_level() {
+    let rows = &operands()[0];
+    let mut exec = Exec::new(LANES);
+    exec.set(Mask::first(LANES - 3).and_not(Mask::first(5)));
+    for (_, level) in levels() {
+        let got =
+            Files::new(rows).run(|r| dispatch!(level, s => alu::blend(s, r, &exec, Reg::vector(0), Reg::vector(1))));
+        let want = |lane| if exec.mask.has(lane) { rows[0][lane] } else { 0x5555_5555 };
+        compare("blend", &got, |lane| (want(lane), format!("lane {lane}")));
+
+        let mut lanes = Mask::default();
+        Files::new(rows).run(|r| lanes = dispatch!(level, s => alu::test(s, r, &exec, Reg::vector(1))));
+        (0..LANES).for_each(|lane| assert_eq!(lanes.has(lane), exec.mask.has(lane) && rows[0][lane] != 0));
+
+        let length = 64;
+        let mut wrong = None;
+        let got = Files::new(rows)
+            .run(|r| wrong = dispatch!(level, s => alu::check(s, r, &exec, Reg::vector(0), Reg::vector(1), length)));
+        compare("check", &got, |lane| (rows[0][lane].min(length - 1), format!("lane {lane}")));
+        let first = (0..LANES).find(|lane| exec.mask.has(*lane) && rows[0][*lane] >= length);
+        assert_eq!(wrong, first.map(|lane| (lane, rows[0][lane])));
+    }
+}
+
+#[test]
+fn contiguous_addresses_are_found() {
+    let counting: [u32; LANES] = std::array::from_fn(|lane| 0xffff_fff0u32.wrapping_add(lane as u32));
+    let mut broken = counting;
+    broken[LANES - 1] = 0;
+    for (_, level) in levels() {
+        for (row, want) in [(counting, Some(counting[0])), (broken, None)] {
+            let mut got = None;
+            Files::new(&[row; 3]).run(|r| got = dispatch!(level, s => alu::contiguous(s, r, Reg::vector(1))));
+            assert_eq!(got, want);
+        }
+    }
+}
