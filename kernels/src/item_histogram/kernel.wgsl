@@ -14,8 +14,9 @@
 
 import package::shared::permute::permute;
 
-/// Bins of one workgroup; 4096 fill its 16 KiB of memory.
-const TILE_BINS: u32 = 4096u;
+/// Words of counts of one workgroup, a power of two; 4096 fill its 16 KiB of memory. A word counts two bins of the tile,
+/// b and b + TILE_WORDS, in 16 bits each: a workgroup must take fewer than 65,536 items.
+const TILE_WORDS: u32 = 4096u;
 /// Whether items are taken in a scattered order, so that neighbours of one id do not meet in one bin.
 const SCATTERED: bool = false;
 /// A pixel of no item.
@@ -24,7 +25,7 @@ const NOTHING: u32 = 0xffffffffu;
 struct Params {
     items: u32,
     bins: u32,
-    /// Items a lane.
+    /// Items a lane, at most 255.
     rounds: u32,
     /// Places in the order: `items`, or the power of two above it when scattered.
     places: u32,
@@ -40,7 +41,7 @@ struct Params {
 @group(0) @binding(1) var<storage, read> ids: array<u32>;
 @group(0) @binding(2) var<storage, read_write> counts: array<atomic<u32>>;
 
-var<workgroup> tile: array<atomic<u32>, TILE_BINS>;
+var<workgroup> tile: array<atomic<u32>, TILE_WORDS>;
 
 /// The item at a place of the order.
 fn item_at(place: u32) -> u32 {
@@ -50,11 +51,17 @@ fn item_at(place: u32) -> u32 {
     return place;
 }
 
+fn add_to_bin(bin: u32, found: u32) {
+    if (found != 0u && bin < params.bins) {
+        atomicAdd(&counts[bin], found);
+    }
+}
+
 @compute @workgroup_size(256)
 fn count(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     let number = params.first + group.x;
-    let first_bin = number / params.blocks * TILE_BINS;
-    for (var row = 0u; row < TILE_BINS; row += 256u) {
+    let first_bin = number / params.blocks * (2u * TILE_WORDS);
+    for (var row = 0u; row < TILE_WORDS; row += 256u) {
         atomicStore(&tile[row + lane], 0u);
     }
     workgroupBarrier();
@@ -64,18 +71,17 @@ fn count(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_inde
         let item = item_at(place);
         if (place < params.places && item < params.items) {
             let bin = ids[item] - first_bin;
-            if (bin < TILE_BINS) {
-                atomicAdd(&tile[bin], 1u);
+            if (bin < 2u * TILE_WORDS) {
+                atomicAdd(&tile[bin & (TILE_WORDS - 1u)], select(1u, 0x10000u, bin >= TILE_WORDS));
             }
         }
     }
     workgroupBarrier();
-    for (var row = 0u; row < TILE_BINS; row += 256u) {
+    for (var row = 0u; row < TILE_WORDS; row += 256u) {
         let found = atomicLoad(&tile[row + lane]);
         let bin = first_bin + row + lane;
-        if (found != 0u && bin < params.bins) {
-            atomicAdd(&counts[bin], found);
-        }
+        add_to_bin(bin, found & 0xffffu);
+        add_to_bin(bin + TILE_WORDS, found >> 16u);
     }
 }
 

@@ -64,7 +64,7 @@ host! {
         pub items: u32,
         /// Number of bins.
         pub bins: u32,
-        /// Items a lane.
+        /// Items a lane, at most 255.
         pub rounds: u32,
         /// Places in the order.
         pub places: u32,
@@ -128,10 +128,10 @@ bindings! {
 /// Invocations a workgroup.
 const GROUP: u32 = 256;
 
-/// Bins of a workgroup, by variant: few need little memory, many need all of it.
-const TILES: [u32; 2] = [256, 4096];
+/// Words of counts of a workgroup, by variant: few bins need little memory, many need all of it. A word counts two bins.
+const TILE_WORDS: [u32; 2] = [256, 4096];
 
-/// The compiled kernel: for each order, one program for each of [`TILES`].
+/// The compiled kernel: for each order, one program for each of [`TILE_WORDS`].
 pub struct ItemHistogram {
     memory: [Arc<Program>; 2],
     scattered: [Arc<Program>; 2],
@@ -140,15 +140,15 @@ pub struct ItemHistogram {
 impl ItemHistogram {
     /// Compiles it.
     pub fn new() -> Result<Self> {
-        let variant = |name: &str, tile: u32, scattered: bool| {
-            let defines = [Define::new("TILE_BINS", format!("{tile}u")), Define::new("SCATTERED", scattered)];
-            let program = crate::program("item_histogram", &format!("{name}_{tile}"), &defines)?;
+        let variant = |name: &str, words: u32, scattered: bool| {
+            let defines = [Define::new("TILE_WORDS", format!("{words}u")), Define::new("SCATTERED", scattered)];
+            let program = crate::program("item_histogram", &format!("{name}_{words}"), &defines)?;
             Count::check(&program, "count")?;
             Label::check(&program, "label")?;
             Halve::check(&program, "halve")?;
             Ok::<_, Error>(program)
         };
-        let [few, many] = TILES;
+        let [few, many] = TILE_WORDS;
         Ok(ItemHistogram {
             memory: [variant("memory", few, false)?, variant("memory", many, false)?],
             scattered: [variant("scattered", few, true)?, variant("scattered", many, true)?],
@@ -197,8 +197,8 @@ impl ItemHistogram {
             let what = format!("a histogram of {items} of {} ids in {bins} of {} bins", ids.len(), counts.len());
             return Err(Error::refused(what, format!("use at most {MAX_ITEMS} ids and bins, and one word for each")));
         }
-        let size = usize::from(bins > TILES[0]);
-        let tile = TILES[size];
+        let size = usize::from(bins > 2 * TILE_WORDS[0]);
+        let words = TILE_WORDS[size];
         let (program, places, bits) = match order {
             Order::Memory => (&self.memory[size], items, 0),
             Order::Scattered => {
@@ -206,12 +206,12 @@ impl ItemHistogram {
                 (&self.scattered[size], places, places.trailing_zeros())
             }
         };
-        // Four items for each bin that a workgroup clears and adds, and 16 for each lane at least.
-        let rounds = (4 * tile / GROUP).max(16);
+        // Four items for each word that a workgroup clears and adds, and 16 for each lane at least.
+        let rounds = (4 * words / GROUP).max(16);
         let blocks = places.div_ceil(GROUP * rounds).max(1);
-        let groups = blocks * bins.div_ceil(tile);
+        let groups = blocks * bins.div_ceil(2 * words);
         let program = job.program(program);
-        pieces::record(job, groups, u64::from(GROUP * rounds + 2 * tile), |job, piece| {
+        pieces::record(job, groups, u64::from(GROUP * rounds + 4 * words), |job, piece| {
             let params = Params { items, bins, rounds, places, bits, blocks, first: piece.start };
             let bound = Count { params: job.value("histogram params", &params), ids, counts };
             job.launch(program, "count", &bound, [piece.len() as u32, 1, 1]);
