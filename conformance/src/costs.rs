@@ -5,8 +5,8 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::interim::CpuBackend;
 use sightlines_backend::Kernel;
+use sightlines_backend_cpu::CpuBackend;
 
 use crate::diff::{Row, Table};
 use crate::error::Result;

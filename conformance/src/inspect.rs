@@ -2,9 +2,9 @@
 
 use std::io::Write;
 
-use crate::interim::CpuBackend;
 use clap::ValueEnum;
 use sightlines_backend::{Kernel, Program, Size};
+use sightlines_backend_cpu::CpuBackend;
 
 use crate::error::{Error, Result};
 

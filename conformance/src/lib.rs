@@ -27,7 +27,6 @@ pub mod expect;
 pub mod fault;
 pub mod files;
 pub mod inspect;
-mod interim;
 pub mod machine;
 pub mod plan;
 pub mod pool;

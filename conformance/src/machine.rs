@@ -7,9 +7,9 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
-use crate::interim::{Bounds, Config, CpuBackend};
 use serde::{Deserialize, Serialize};
 use sightlines_backend::{Backend, Result as BackendResult};
+use sightlines_backend_cpu::{Bounds, Config, CpuBackend};
 use sightlines_backend_wgpu::{AdapterReport, Backends, WgpuBackend, WgpuOptions};
 
 use crate::error::{Error, Result};
@@ -113,9 +113,12 @@ impl Wanted {
     }
 }
 
-/// The interpreter as conformance runs it: out-of-range accesses trap, costs are counted.
+/// Loop iterations that the workgroups of a gang may take together: far beyond any case, and seconds at most.
+const FUEL: u64 = 1 << 26;
+
+/// The interpreter as conformance runs it: out-of-range accesses trap, loops end soon, costs are counted.
 pub fn interpreter(threads: usize) -> CpuBackend {
-    CpuBackend::new(Config { threads, bounds: Bounds::Trap, count: true, ..Config::default() })
+    CpuBackend::new(Config { threads, bounds: Bounds::Trap, fuel: FUEL, count: true, ..Config::default() })
 }
 
 impl Machine {
@@ -201,7 +204,8 @@ impl Fleet {
 
 fn require(required: &str, machines: &[Machine], trouble: Option<&str>) -> Result<()> {
     let wanted = required.to_lowercase();
-    let is = |m: &Machine| m.identity.backend == wanted || m.identity.adapter.to_lowercase().contains(&wanted);
+    let part = |text: &str| text.to_lowercase().contains(&wanted);
+    let is = |m: &Machine| m.identity.backend == wanted || part(&m.identity.adapter) || part(&m.identity.driver);
     if machines.iter().any(is) {
         return Ok(());
     }

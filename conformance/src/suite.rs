@@ -9,6 +9,7 @@ use std::thread;
 use sightlines_backend::Kernel;
 
 use crate::error::Result;
+use crate::expect::Expectations;
 use crate::fault::Injection;
 use crate::machine::Fleet;
 use crate::plan::{Plan, Selected};
@@ -19,6 +20,9 @@ use crate::{costs, snapshot};
 
 /// Name of the machine that stands for a GPU that is not there.
 pub const ABSENT: &str = "wgpu";
+
+/// Name of the check of the interpreter's lowered code.
+pub const MACHINE_COSTS: &str = "suite::machine_costs";
 
 /// How a plan is run.
 pub struct Suite<'a> {
@@ -94,20 +98,19 @@ pub fn workers(exe: &Path, fleet: &Fleet, injection: Option<&Injection>) -> Vec<
 }
 
 /// Checks of the suite itself: names, expectations, snapshots without a case, machine costs.
-pub fn checks(kernels: &[Kernel], plan: &Plan, rules: &Rules) -> Vec<SuiteCheck> {
+pub fn checks(kernels: &[Kernel], plan: &Plan, expectations: &Expectations, folder: &Path) -> Vec<SuiteCheck> {
     let known: Vec<String> = plan.known.iter().map(|(k, c)| format!("{k}::{c}")).collect();
-    let mut checks =
-        vec![check("suite::names", plan.bad_names()), check("suite::expectations", rules.expectations.faults(&known))];
-    if let Some(folder) = &rules.snapshots {
-        let name = |path: &PathBuf| path.strip_prefix(folder).unwrap_or(path).display().to_string();
-        let orphans = match snapshot::orphans(folder, &known_paths(folder, plan)) {
-            Ok(paths) => paths.iter().map(|p| format!("{}: no case has this snapshot", name(p))).collect(),
-            Err(e) => vec![e.to_string()],
-        };
-        checks.push(check("suite::snapshots", orphans));
-        checks.push(check("suite::machine_costs", machine_costs(kernels, folder)));
-    }
-    checks
+    let name = |path: &PathBuf| path.strip_prefix(folder).unwrap_or(path).display().to_string();
+    let orphans = match snapshot::orphans(folder, &known_paths(folder, plan)) {
+        Ok(paths) => paths.iter().map(|p| format!("{}: no case has this snapshot", name(p))).collect(),
+        Err(e) => vec![e.to_string()],
+    };
+    vec![
+        check("suite::names", plan.bad_names()),
+        check("suite::expectations", expectations.faults(&known)),
+        check("suite::snapshots", orphans),
+        check(MACHINE_COSTS, machine_costs(kernels, folder)),
+    ]
 }
 
 /// Every snapshot file that belongs to a case or to the suite.
