@@ -15,10 +15,10 @@ use std::time::Duration;
 
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
-use crate::Linked;
 use crate::error::ErrorKind;
 use crate::program::diagnose;
 use crate::text::{self, Kind};
+use crate::{Linked, Result, lint};
 
 /// Bounds on the text of a program. The defaults suit any kernel that a person wrote.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,29 +40,32 @@ impl Default for CompileLimits {
     }
 }
 
-/// Parses and validates linked text within `limits`.
-pub(crate) fn compile(linked: &Linked, limits: &CompileLimits) -> Result<(naga::Module, ModuleInfo), ErrorKind> {
+/// Parses, validates and, where asked, lints linked text within `limits`.
+pub(crate) fn compile(linked: &Linked, lint: bool, limits: &CompileLimits) -> Result<(naga::Module, ModuleInfo)> {
     if !linked.is_consistent() {
-        return Err(refuse("the files of the linked text do not divide it", None));
+        return Err(refuse("the files of the linked text do not divide it", None).into());
     }
     if linked.text.len() > limits.bytes {
         let message = format!("the linked text has {} bytes, the limit is {}", linked.text.len(), limits.bytes);
-        return Err(refuse(&message, None));
+        return Err(refuse(&message, None).into());
     }
     if let Some(byte) = too_deep(&linked.text, limits.depth) {
         let message = format!("nested deeper than the limit of {} levels", limits.depth);
         let at = naga::Span::new(byte as u32, byte as u32 + 1);
-        return Err(diagnose(linked, "parse", &message, &[(at, "split this up".into())], Vec::new()));
+        return Err(diagnose(linked, "parse", &message, &[(at, "split this up".into())], Vec::new()).into());
     }
-    let text = linked.clone();
-    guarded(limits, move || parse(&text))
+    let linked = linked.clone();
+    guarded(limits, move || {
+        let (module, info) = parse(&linked)?;
+        if lint {
+            lint::check(&module, &info, &linked)?;
+        }
+        Ok((module, info))
+    })
 }
 
 /// Runs `work` on a thread with the stack of `limits`, catching its panics and its delay.
-fn guarded<T: Send + 'static>(
-    limits: &CompileLimits,
-    work: impl FnOnce() -> Result<T, ErrorKind> + Send + 'static,
-) -> Result<T, ErrorKind> {
+fn guarded<T: Send + 'static>(limits: &CompileLimits, work: impl FnOnce() -> Result<T> + Send + 'static) -> Result<T> {
     let (sender, receiver) = mpsc::channel();
     let send = move || drop(sender.send(work()));
     let thread = thread::Builder::new().name("wgsl front end".into()).stack_size(limits.stack).spawn(send);
@@ -71,7 +74,8 @@ fn guarded<T: Send + 'static>(
         Ok(result) => result,
         Err(RecvTimeoutError::Timeout) => {
             let message = format!("the front end did not finish within {} s", limits.time.as_secs_f32());
-            Err(refuse(&message, Some("lowering is quadratic in the length of a function: split long functions")))
+            Err(refuse(&message, Some("lowering is quadratic in the length of a function: split long functions"))
+                .into())
         }
         Err(RecvTimeoutError::Disconnected) => {
             let panic = thread.join().err();
@@ -79,12 +83,13 @@ fn guarded<T: Send + 'static>(
                 p.downcast_ref::<String>().map(String::as_str).or_else(|| p.downcast_ref::<&str>().copied())
             });
             let message = format!("the front end panicked: {}", words.unwrap_or("without a message"));
-            Err(refuse(&message, Some("this is a defect of the front end; the kernel may be written another way")))
+            Err(refuse(&message, Some("this is a defect of the front end; the kernel may be written another way"))
+                .into())
         }
     }
 }
 
-fn parse(linked: &Linked) -> Result<(naga::Module, ModuleInfo), ErrorKind> {
+fn parse(linked: &Linked) -> Result<(naga::Module, ModuleInfo)> {
     let module = naga::front::wgsl::parse_str(&linked.text).map_err(|e| {
         let labels = e.labels().map(|(span, text)| (span, text.to_owned())).collect::<Vec<_>>();
         let notes = e.notes().map(str::to_owned).collect();
@@ -181,7 +186,7 @@ mod tests {
     }
 
     fn error(body: &str, limits: &CompileLimits) -> String {
-        compile(&main(body), limits).map(|_| ()).expect_err("must be refused").to_string()
+        compile(&main(body), true, limits).map(|_| ()).expect_err("must be refused").to_string()
     }
 
     /// Shapes of text that nest `n` levels.
@@ -208,7 +213,7 @@ mod tests {
     #[test]
     fn text_within_the_bound_never_overflows_a_stack() {
         for (name, body) in deep(490) {
-            if let Err(e) = compile(&main(&body), &CompileLimits::default()) {
+            if let Err(e) = compile(&main(&body), true, &CompileLimits::default()) {
                 assert!(["parentheses", "calls", "braces"].contains(&name), "{name}: {e}");
             }
         }
@@ -219,7 +224,7 @@ mod tests {
         let body = "if o[0] == 1u { o[1] = o[2] + 1u; } else if o[0] == 2u { o[1] = (o[3] & 2u) << 1u; }\n".repeat(400);
         let linked = main(&body);
         assert_eq!(too_deep(&linked.text, 40), None);
-        assert!(compile(&linked, &CompileLimits::default()).is_ok());
+        assert!(compile(&linked, true, &CompileLimits::default()).is_ok());
     }
 
     #[test]
@@ -232,7 +237,7 @@ mod tests {
 
     #[test]
     fn a_panic_is_an_error() {
-        let work = || -> Result<(), ErrorKind> { std::panic::resume_unwind(Box::new("arena index".to_owned())) };
+        let work = || -> Result<()> { std::panic::resume_unwind(Box::new("arena index".to_owned())) };
         let text = guarded(&CompileLimits::default(), work).expect_err("panicked").to_string();
         assert!(text.contains("the front end panicked: arena index"), "{text}");
     }
@@ -241,7 +246,7 @@ mod tests {
     fn files_that_do_not_divide_the_text_are_refused() {
         let mut linked = main("");
         linked.files[0].end -= 1;
-        let text = compile(&linked, &CompileLimits::default()).map(|_| ()).expect_err("inconsistent").to_string();
+        let text = compile(&linked, true, &CompileLimits::default()).map(|_| ()).expect_err("inconsistent").to_string();
         assert!(text.contains("do not divide"), "{text}");
     }
 }

@@ -15,9 +15,11 @@
 
 use std::collections::HashSet;
 
+use naga::Span;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{ErrorKind, Location};
+use crate::program::diagnose;
 use crate::text::{self, Item, Kind};
 use crate::{Error, Result};
 
@@ -73,7 +75,7 @@ impl Linked {
         linker.requirements(root)?;
         if let Some(define) = defines.iter().find(|d| !linker.used.contains(&d.name)) {
             let message = format!("no module-scope `const {}` to define in {root} or its imports", define.name);
-            return Err(error(&message, None));
+            return Err(error(&message));
         }
         Ok(linker.linked)
     }
@@ -128,10 +130,10 @@ impl Linker<'_> {
         }
         if let Some(first) = self.open.iter().position(|p| p == path) {
             let cycle = self.open[first..].join(" -> ");
-            return Err(error(&format!("import cycle: {cycle} -> {path}"), from));
+            return Err(self.error(&format!("import cycle: {cycle} -> {path}"), from));
         }
         if self.open.len() >= MAX_NESTED_IMPORTS {
-            return Err(error(&format!("imports nest deeper than {MAX_NESTED_IMPORTS} files"), from));
+            return Err(self.error(&format!("imports nest deeper than {MAX_NESTED_IMPORTS} files"), from));
         }
         let source = self.source(path, from)?;
         let items = text::items(&source);
@@ -144,7 +146,9 @@ impl Linker<'_> {
             let keyword = &source[item.keyword.clone()];
             let ours = matches!(keyword, "import" | "require");
             if ours && !header {
-                return Err(error(&format!("`{keyword}` stands after another item; move it to the top"), Some(&at)));
+                return Err(
+                    self.error(&format!("`{keyword}` stands after another item; move it to the top"), Some(&at))
+                );
             }
             match keyword {
                 "import" => self.import(&source[item.range.clone()], &at)?,
@@ -174,28 +178,42 @@ impl Linker<'_> {
             self.linked.text.push('\n');
         }
         let bounds = u32::try_from(start).ok().zip(u32::try_from(self.linked.text.len()).ok());
-        let (start, end) = bounds.ok_or_else(|| error("the linked text is longer than 4 GiB", from))?;
+        let (start, end) = bounds.ok_or_else(|| self.error("the linked text is longer than 4 GiB", from))?;
         self.linked.files.push(File { path: path.to_owned(), start, end });
         Ok(())
     }
 
     fn source(&self, path: &str, from: Option<&Location>) -> Result<String> {
-        (self.sources)(path).ok_or_else(|| error(&format!("no file `{path}` in this package"), from))
+        (self.sources)(path).ok_or_else(|| self.error(&format!("no file `{path}` in this package"), from))
+    }
+
+    /// A message about the line of a file, with that line shown.
+    fn error(&self, message: &str, location: Option<&Location>) -> Error {
+        let Some(at) = location else { return error(message) };
+        let text = (self.sources)(&at.file).unwrap_or_default();
+        let line: usize = text.split_inclusive('\n').take(at.line as usize - 1).map(str::len).sum();
+        let start = line + at.column as usize - 1;
+        let length = text.get(start..).and_then(|rest| rest.lines().next()).map_or(0, str::len);
+        let span = Span::new(start as u32, (start + length) as u32);
+        let file = File { path: at.file.clone(), start: 0, end: text.len() as u32 };
+        let shown = Linked { text, files: vec![file] };
+        diagnose(&shown, "link", message, &[(span, String::new())], Vec::new()).into()
     }
 
     fn import(&mut self, line: &str, at: &Location) -> Result<()> {
         let words: Vec<&str> = text::tokens(line).map(|t| &line[t.range]).collect();
         if words.contains(&"as") {
-            return Err(error("an import cannot rename: `as` is not supported, use the item's own name", Some(at)));
+            return Err(self.error("an import cannot rename: `as` is not supported, use the item's own name", Some(at)));
         }
-        let (folders, names) = parse_import(&words)
-            .ok_or_else(|| error("an import reads `import package::folder::file::item;` or `…::{a, b};`", Some(at)))?;
+        let (folders, names) = parse_import(&words).ok_or_else(|| {
+            self.error("an import reads `import package::folder::file::item;` or `…::{a, b};`", Some(at))
+        })?;
         let path = format!("{}.wgsl", folders.join("/"));
         let source = self.source(&path, Some(at))?;
         let declared = text::items(&source);
         for name in names {
             if !declared.iter().any(|i| &source[i.name.clone()] == name && !is_linkers(&source, i)) {
-                return Err(error(&format!("`{path}` declares no `{name}`"), Some(at)));
+                return Err(self.error(&format!("`{path}` declares no `{name}`"), Some(at)));
             }
         }
         self.file(&path, Some(at))
@@ -204,7 +222,7 @@ impl Linker<'_> {
     fn require(&mut self, source: &str, item: &Item, at: &Location) -> Result<()> {
         let typed = source[item.name.end..item.range.end].trim_start().starts_with(':');
         if item.name.is_empty() || !typed {
-            return Err(error("a requirement reads `require name: type;`", Some(at)));
+            return Err(self.error("a requirement reads `require name: type;`", Some(at)));
         }
         self.required.push((source[item.name.clone()].to_owned(), at.clone()));
         Ok(())
@@ -219,7 +237,7 @@ impl Linker<'_> {
                 let (file, line) = (&at.file, at.line);
                 let message =
                     format!("`{root}` must declare a module-scope `{name}`: {file} requires it (line {line})");
-                return Err(error(&message, Some(at)));
+                return Err(self.error(&message, Some(at)));
             }
         }
         Ok(())
@@ -231,11 +249,11 @@ impl Linker<'_> {
         let declared = &source[item.name.end..item.range.end];
         let equals = text::tokens(declared).find(|t| t.kind == Kind::Punct('=')).map(|t| t.range.end);
         let start = item.name.end
-            + equals.ok_or_else(|| error(&format!("`const {}` has no initialiser", define.name), Some(at)))?;
+            + equals.ok_or_else(|| self.error(&format!("`const {}` has no initialiser", define.name), Some(at)))?;
         let range = start..item.range.end - 1;
         if source[range.clone()].contains(['\n', '\r']) {
             let message = format!("the initialiser of `const {}` spans lines; a defined const needs one", define.name);
-            return Err(error(&message, Some(at)));
+            return Err(self.error(&message, Some(at)));
         }
         self.used.insert(define.name.clone());
         Ok(Some((range, format!(" {}", define.value))))
@@ -279,10 +297,10 @@ fn check_define(define: &Define, before: &[Define]) -> Result<()> {
     let number = matches!((tokens.next(), tokens.next()), (Some(t), None) if t.kind == Kind::Number && t.range.len() == digits.len());
     if !number && !matches!(value, "true" | "false") {
         let message = format!("`{}` defines `const {}`; the value must be one literal", define.value, define.name);
-        return Err(error(&message, None));
+        return Err(error(&message));
     }
     if before.iter().any(|d| d.name == define.name) {
-        return Err(error(&format!("`const {}` is defined twice", define.name), None));
+        return Err(error(&format!("`const {}` is defined twice", define.name)));
     }
     Ok(())
 }
@@ -294,10 +312,6 @@ fn place(path: &str, source: &str, byte: usize) -> Location {
     Location { file: path.to_owned(), line, column }
 }
 
-fn error(message: &str, location: Option<&Location>) -> Error {
-    let rendered = match location {
-        Some(at) => format!("error: {message}\n  --> {at}\n"),
-        None => format!("error: {message}\n"),
-    };
-    ErrorKind::Wgsl { stage: "link", location: location.cloned(), rendered }.into()
+fn error(message: &str) -> Error {
+    ErrorKind::Wgsl { stage: "link", location: None, rendered: format!("error: {message}\n") }.into()
 }

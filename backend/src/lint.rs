@@ -23,7 +23,7 @@ mod literals;
 mod marks;
 mod memory;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 
 use naga::valid::ModuleInfo;
@@ -132,34 +132,45 @@ struct Violation {
 
 /// Checks every item of a program against every lint.
 pub fn check(module: &naga::Module, info: &ModuleInfo, linked: &Linked) -> Result<()> {
-    let text = &linked.text;
-    let items = text::items(text);
-    let mut marks: Vec<Marks> = items.iter().map(|item| Marks::read(text, item)).collect();
+    let source = Source::new(&linked.text);
+    let mut marks: Vec<Marks> = source.items.iter().map(|item| Marks::read(source.text, item)).collect();
     let mut found = Vec::new();
-    functions::check(module, info, &Source { text, items: &items }, &mut marks, &mut found);
+    functions::check(module, info, &source, &mut marks, &mut found);
     memory::check(module, &mut found);
-    literals::check(module, &Source { text, items: &items }, &mut found);
+    literals::check(module, &source, &mut found);
     found.retain(|violation| {
-        let item = items.iter().position(|i| i.range.contains(&violation.range.start));
+        let item = source.item_at(violation.range.start);
         !item.is_some_and(|index| marks[index].allows(violation.lint))
     });
     for marks in marks {
         marks.finish(&mut found);
     }
-    if found.is_empty() { Ok(()) } else { Err(report(linked, &items, found).into()) }
+    if found.is_empty() { Ok(()) } else { Err(report(linked, &source, found).into()) }
 }
 
 /// The linked text and its items.
 struct Source<'a> {
     text: &'a str,
-    items: &'a [Item],
+    items: Vec<Item>,
+    names: HashMap<&'a str, usize>,
 }
 
-impl Source<'_> {
-    /// Index of the function of that name.
-    fn function(&self, name: Option<&str>) -> Option<usize> {
-        let is_function = |i: &Item| &self.text[i.keyword.clone()] == "fn";
-        self.items.iter().position(|i| is_function(i) && Some(&self.text[i.name.clone()]) == name)
+impl<'a> Source<'a> {
+    fn new(text: &'a str) -> Self {
+        let items = text::items(text);
+        let names = items.iter().enumerate().map(|(index, item)| (&text[item.name.clone()], index)).collect();
+        Source { text, items, names }
+    }
+
+    /// Index of the item that a byte belongs to.
+    fn item_at(&self, byte: usize) -> Option<usize> {
+        let index = self.items.partition_point(|i| i.range.end <= byte);
+        self.items.get(index).filter(|i| i.range.contains(&byte)).map(|_| index)
+    }
+
+    /// Index of the item of that keyword and name.
+    fn named(&self, keyword: &str, name: &str) -> Option<usize> {
+        self.names.get(name).copied().filter(|&index| &self.text[self.items[index].keyword.clone()] == keyword)
     }
 }
 
@@ -167,14 +178,14 @@ impl Source<'_> {
 const MAX_LABELS: usize = 8;
 
 /// One diagnostic for each lint and item, in the order of the text.
-fn report(linked: &Linked, items: &[Item], mut found: Vec<Violation>) -> ErrorKind {
+fn report(linked: &Linked, source: &Source<'_>, mut found: Vec<Violation>) -> ErrorKind {
     found.sort_by_key(|v| (v.range.start, v.range.end, v.lint));
     found.dedup_by(|a, b| a.lint == b.lint && a.range == b.range);
     let location = found.first().and_then(|v| linked.locate(v.range.start));
     let mut groups: BTreeMap<(usize, &str), Vec<Violation>> = BTreeMap::new();
     for violation in found {
-        let item = items.iter().position(|i| i.range.contains(&violation.range.start));
-        groups.entry((item.unwrap_or(items.len()), violation.lint)).or_default().push(violation);
+        let item = source.item_at(violation.range.start).unwrap_or(source.items.len());
+        groups.entry((item, violation.lint)).or_default().push(violation);
     }
     let mut rendered = String::new();
     for ((_, name), violations) in groups {

@@ -13,7 +13,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::error::{ErrorKind, Location};
 use crate::front::{self, CompileLimits};
-use crate::{Define, Error, Linked, Result, Sources, lint};
+use crate::{Define, Error, Linked, Result, Sources};
 
 /// How a kernel uses a binding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -96,10 +96,7 @@ impl Program {
     }
 
     fn compile(label: &str, linked: Linked, lint: bool, limits: &CompileLimits) -> Result<Self> {
-        let (module, info) = front::compile(&linked, limits)?;
-        if lint {
-            lint::check(&module, &info, &linked)?;
-        }
+        let (module, info) = front::compile(&linked, lint, limits)?;
         let bindings = reflect_bindings(&module);
         let entries = reflect_entries(&module, &info, &bindings);
         if entries.is_empty() {

@@ -207,3 +207,15 @@ fn errors_name_the_imported_file_and_its_line() {
     assert_eq!((at.file.as_str(), at.line), ("shared/bad.wgsl", 5), "{rendered}");
     assert!(rendered.contains("shared/bad.wgsl:5:"), "{rendered}");
 }
+
+#[test]
+fn link_errors_show_the_line() {
+    let (message, _) = refused(&[("main.wgsl", "// head\n  import package::no::a; // why\n")], &[]);
+    let expected = "error: no file `no.wgsl` in this package
+  ┌─ main.wgsl:2:3
+  │
+2 │   import package::no::a; // why
+  │   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+";
+    assert_eq!(message.trim_end(), expected.trim_end());
+}

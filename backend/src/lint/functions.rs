@@ -18,7 +18,7 @@ pub(super) fn check(
     found: &mut Vec<Violation>,
 ) {
     let mut visit = |function: &Function, info: &FunctionInfo, name: Option<&str>| {
-        let Some(index) = source.function(name) else { return };
+        let Some(index) = name.and_then(|n| source.named("fn", n)) else { return };
         let fallback = source.items[index].name.clone();
         let mut scan = Scan { module, function, info, fallback, marks: &mut marks[index], found };
         for (handle, expression) in function.expressions.iter() {

@@ -7,7 +7,7 @@ use std::ops::Range;
 use naga::{Arena, Expression, Literal, Module};
 
 use super::{Source, Violation};
-use crate::text::{self, Item, Kind, Token};
+use crate::text::{self, Kind, Token};
 
 /// Finds violations among literals of the text and of the module.
 pub(super) fn check(module: &Module, source: &Source<'_>, found: &mut Vec<Violation>) {
@@ -63,9 +63,7 @@ fn float(value: f32, range: Range<usize>, source: &Source<'_>, found: &mut Vec<V
 fn definition(mut range: Range<usize>, source: &Source<'_>) -> Range<usize> {
     for _ in 0..source.items.len() {
         let Some(name) = source.text.get(range.clone()) else { break };
-        let is_const = |i: &&Item| &source.text[i.keyword.clone()] == "const";
-        let item = source.items.iter().filter(is_const).find(|i| &source.text[i.name.clone()] == name);
-        let Some(item) = item else { break };
+        let Some(item) = source.named("const", name).map(|index| &source.items[index]) else { break };
         let Some(equals) = source.text[item.name.end..item.range.end].find('=') else { break };
         let value = &source.text[item.name.end + equals + 1..item.range.end - 1];
         let start = item.range.end - 1 - value.trim_start().len();
