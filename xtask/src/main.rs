@@ -3,6 +3,7 @@
 //! Every command spawns cargo in one profile, so that nothing is compiled twice. This program depends on no crate of the
 //! workspace and on no other, so it builds in a second.
 
+mod bench;
 mod ci;
 mod run;
 mod test;
@@ -17,6 +18,7 @@ Commands:
   conformance [OPTIONS]           run every case of every kernel on every backend and compare the bits
   test [--require NAME]… [-- ARGS]  all tests of the workspace, conformance included; fails where NAME
                                   (`wgpu` or an adapter) is missing; ARGS go to `cargo test`
+  bench [FILTER] [OPTIONS]        measure the interpreter against lavapipe and other adapters on every kernel
   kernels list                    the kernels of the registry
   kernels show NAME [--emit wgsl|ir|code]
                                   one kernel as linked WGSL, naga IR or the interpreter's code
@@ -46,6 +48,7 @@ fn main() -> ExitCode {
         "conformance" => run::conformance(&[], &rest),
         "kernels" | "doctor" => run::conformance(&[&command], &rest),
         "test" => test::run(&rest),
+        "bench" => bench::run(&rest),
         "ci" => ci::run(&rest),
         "help" | "--help" | "-h" => say(io::stdout(), HELP, 0),
         "" => say(io::stderr(), HELP, USAGE),

@@ -1,0 +1,49 @@
+//! Every subject under criterion, in one process, on the interpreter and on every adapter: ids `kernel/case/backend`.
+//!
+//! `cargo bench -p sightlines-benches` takes criterion's own options; `cargo xtask bench` makes the numbers that are
+//! compared. Run as a test, each subject runs once and its outputs are compared between machines.
+
+use std::collections::HashMap;
+use std::process::ExitCode;
+
+use criterion::Criterion;
+use sightlines_backend::Backend;
+use sightlines_benches::engine::{adapters_here, choose, interpreters};
+use sightlines_benches::measure::benchmark;
+use sightlines_benches::{Engine, Error, Prepared, Result, Subject, Threads, subjects};
+
+fn main() -> ExitCode {
+    let mut criterion = Criterion::default().configure_from_args();
+    let result = all(&mut criterion);
+    criterion.final_summary();
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => panic!("{error}"),
+    }
+}
+
+fn all(criterion: &mut Criterion) -> Result<()> {
+    let mut engines = interpreters(&[])?;
+    engines.extend(choose(&adapters_here(), &[])?.into_iter().map(Engine::Wgpu));
+    let mut digests = HashMap::new();
+    for engine in engines {
+        let backend = engine.open(Threads::All)?;
+        for subject in subjects() {
+            let digest = measure(criterion, &subject, &engine, backend.as_ref())?;
+            let first = *digests.entry(subject.to_string()).or_insert(digest);
+            if subject.is_portable() && first != digest {
+                return Err(Error::Measurement(format!("{subject}: {engine} gave other bits than the interpreter")));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn measure(criterion: &mut Criterion, subject: &Subject, engine: &Engine, backend: &dyn Backend) -> Result<u64> {
+    let mut prepared = Prepared::new(backend, &(subject.job)()?)?;
+    if let Some(wrong) = subject.first_error(engine.backend(), &prepared.outputs) {
+        return Err(Error::Measurement(wrong));
+    }
+    benchmark(criterion, subject, engine.backend(), &mut prepared)?;
+    Ok(prepared.digest())
+}
