@@ -206,9 +206,8 @@ fn stage(device: &Device, steps: &[Step<'_>]) -> Result<Option<Buffer>> {
         usage: BufferUsages::COPY_SRC,
         mapped_at_creation: true,
     });
-    // Out of memory, the buffer is invalid and cannot be mapped; the scope around the submission then has the reason.
-    let mut view =
-        staging.slice(..).get_mapped_range_mut().map_err(|error| DeviceError::OutOfMemory(error.to_string()))?;
+    // Where memory ran out the buffer cannot be mapped either, but the scope around the submission says so first.
+    let mut view = staging.slice(..).get_mapped_range_mut().map_err(|error| DeviceError::Lost(error.to_string()))?;
     let mut start = 0;
     for bytes in steps.iter().map(Step::upload) {
         view.slice(start..start + bytes.len()).copy_from_slice(bytes);

@@ -2,7 +2,9 @@
 
 use std::time::{Duration, Instant};
 
-use sightlines_backend::{Backend, Command, DeviceError, Dispatch, ErrorKind, Groups, Job, Recording, Result};
+use sightlines_backend::{
+    Backend, BufferId, Command, DeviceError, Dispatch, ErrorKind, Groups, Job, Recording, Result,
+};
 use sightlines_backend_wgpu::{Backends, WgpuBackend, WgpuOptions};
 
 use crate::{Test, program, reopen, words};
@@ -169,6 +171,9 @@ fn lost_device_stays_lost(backend: &WgpuBackend) -> Result<()> {
     let mut session = backend.open(&job.programs, &job.buffers)?;
     session.submit(&job.recordings[0])?;
     backend.device().destroy();
+    let bytes = vec![0; 4];
+    let upload = Recording { commands: vec![Command::Upload { buffer: BufferId(0), offset: 0, bytes }] };
+    assert!(matches!(device_error(session.submit(&upload)), DeviceError::Lost(_)));
     assert!(matches!(device_error(session.submit(&job.recordings[0])), DeviceError::Lost(_)));
     assert!(matches!(device_error(session.read(&job.reads[0])), DeviceError::Lost(_)));
     assert!(matches!(device_error(backend.open(&job.programs, &job.buffers)), DeviceError::Lost(_)));
