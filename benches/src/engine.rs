@@ -36,6 +36,13 @@ impl Threads {
     }
 }
 
+impl fmt::Display for Threads {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let count = self.count();
+        write!(f, "{count} {}", if count == 1 { "thread" } else { "threads" })
+    }
+}
+
 /// An adapter as its child process reports it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Adapter {

@@ -12,8 +12,9 @@
 //!
 //! An engine (the interpreter at one SIMD level, or one adapter) in one thread setting is one child process. On one
 //! thread it is pinned to one core with `taskset`, `LP_NUM_THREADS=1` is set for lavapipe, and the interpreter has one
-//! thread; on all cores nothing is pinned. For each subject the rounds alternate between engines, forward and backward
-//! in turn. A row's time is the median of its rounds' medians; `ratio_to_lavapipe` is the median of the *rounds'*
+//! thread; what is timed is the CPU time of the child's process ([`Clock`]), so that other work on the machine does not
+//! count. On all cores nothing is pinned and wall time is taken. For each subject the rounds alternate between engines,
+//! forward and backward in turn. A row's time is the median of its rounds' medians; `ratio_to_lavapipe` is the median of the *rounds'*
 //! ratios, interpreter over lavapipe, so that a load which both engines of a round suffer cancels.
 //!
 //! `lane_ops` is the interpreter's work for one repetition: for each vector instruction it executes, the lanes of the
@@ -23,6 +24,7 @@
 
 pub mod baseline;
 pub mod cli;
+pub mod clock;
 pub mod engine;
 pub mod error;
 pub mod measure;
@@ -34,6 +36,7 @@ pub mod subject;
 mod table;
 pub mod worker;
 
+pub use clock::Clock;
 pub use engine::{Engine, Threads};
 pub use error::{Error, Result};
 pub use measure::{Prepared, Sampling};

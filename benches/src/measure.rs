@@ -9,10 +9,12 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::Path;
 use std::time::Duration;
 
+use criterion::measurement::Measurement;
 use criterion::{BenchmarkId, Criterion, Throughput};
 use serde::{Deserialize, Serialize};
 use sightlines_backend::{Backend, Command, Job, Outputs, Recording, Result as BackendResult, Session, check};
 
+use crate::clock::Clock;
 use crate::error::{Error, Result};
 use crate::subject::Subject;
 
@@ -96,8 +98,8 @@ fn dispatches(job: &Job) -> BackendResult<Recording> {
 }
 
 /// Adds one subject on one machine to a criterion run, under the id `kernel/case/backend`.
-pub fn benchmark(
-    criterion: &mut Criterion,
+pub fn benchmark<M: Measurement>(
+    criterion: &mut Criterion<M>,
     subject: &Subject,
     backend: &str,
     prepared: &mut Prepared<'_>,
@@ -123,7 +125,7 @@ pub fn median_ns(
     subject: &Subject,
     backend: &str,
     prepared: &mut Prepared<'_>,
-    sampling: Sampling,
+    (clock, sampling): (Clock, Sampling),
     folder: &Path,
 ) -> Result<f64> {
     let new = folder.join(subject.kernel).join(&subject.case).join(backend).join("new");
@@ -132,6 +134,7 @@ pub fn median_ns(
         fs::remove_dir_all(&new).map_err(|e| Error::file(&new, e))?;
     }
     let mut criterion = Criterion::default()
+        .with_measurement(clock)
         .output_directory(folder)
         .without_plots()
         .nresamples(2000)
@@ -192,7 +195,7 @@ mod tests {
         });
         let subject = crate::subjects().into_iter().find(|s| s.to_string() == "micro/arithmetic").unwrap();
         let folder = std::env::temp_dir().join(format!("sightlines-benches-{}", std::process::id()));
-        let result = median_ns(&subject, "cpu", &mut prepared, Sampling::QUICK, &folder);
+        let result = median_ns(&subject, "cpu", &mut prepared, (Clock::Wall, Sampling::QUICK), &folder);
         assert!(matches!(result, Err(Error::Backend(_))));
         fs::remove_dir_all(&folder).unwrap();
     }

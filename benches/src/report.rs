@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
+use crate::clock::Clock;
 use crate::error::{Error, Result};
 use crate::statistics::geometric_mean;
 use crate::subject::MICRO;
@@ -41,6 +42,8 @@ pub struct Row {
     pub threads: usize,
     /// The interpreter's SIMD level.
     pub simd: Option<String>,
+    /// What the times are: `wall` or `cpu`.
+    pub clock: Clock,
     /// Median of [`Row::rounds_ns`].
     pub median_ns: f64,
     /// Criterion's median time of one repetition in each round.
@@ -177,6 +180,7 @@ pub(crate) mod tests {
             adapter: if simd.is_some() { "interpreter" } else { "llvmpipe (LLVM 15)" }.into(),
             threads,
             simd: simd.map(str::to_owned),
+            clock: if threads == 1 { Clock::Cpu } else { Clock::Wall },
             median_ns,
             rounds_ns: vec![median_ns],
             lane_ops: Some(1000),

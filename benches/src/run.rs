@@ -6,6 +6,7 @@ use std::process::{Command, Stdio};
 
 use crate::baseline::Baseline;
 use crate::cli::{BenchArgs, ThreadSetting};
+use crate::clock::Clock;
 use crate::engine::{self, Adapter, Engine, INSTALL_LAVAPIPE, Threads};
 use crate::error::{EXIT_FAILED, EXIT_OK, Error, Result};
 use crate::measure::Sampling;
@@ -133,7 +134,7 @@ impl Plan<'_> {
     fn setting(&self, threads: Threads, rows: &mut Vec<Row>, failures: &mut Vec<String>) {
         let mut workers: Vec<Option<Worker>> = self.engines.iter().map(|_| None).collect();
         for (index, subject) in self.subjects.iter().enumerate() {
-            progress(&format!("{} threads, {}/{}: {subject}", threads.count(), index + 1, self.subjects.len()));
+            progress(&format!("{threads}, {} of {}: {subject}", index + 1, self.subjects.len()));
             let series = self.subject(subject, threads, &mut workers, failures);
             if let Some(difference) = difference(subject, &self.engines, &series) {
                 failures.push(difference);
@@ -161,7 +162,7 @@ impl Plan<'_> {
                 match self.measure(engine, subject, threads, &mut workers[engine]) {
                     Ok(measured) => series[engine].push(measured),
                     Err(error) => {
-                        let place = format!("{subject} on {}, {} threads", self.engines[engine], threads.count());
+                        let place = format!("{subject} on {}, {threads}", self.engines[engine]);
                         failures.push(format!("{place}: {error}"));
                         failed[engine] = true;
                         series[engine].clear();
@@ -225,6 +226,7 @@ fn row(
         threads: threads.count(),
         ratio_to_lavapipe: simd.is_some().then(|| median(&ratios)).flatten(),
         simd,
+        clock: Clock::of(threads),
         median_ns,
         rounds_ns,
         lane_ops,

@@ -34,7 +34,8 @@ pub(crate) fn render(report: &Report, baseline: Option<&Baseline>) -> String {
     settings.dedup();
     for threads in settings {
         let rows: Vec<&Row> = report.rows.iter().filter(|row| row.threads == threads).collect();
-        let _ = writeln!(out, "{threads} {}", if threads == 1 { "thread" } else { "threads" });
+        let clock = rows.first().map_or("", |row| row.clock.name());
+        let _ = writeln!(out, "{threads} {}, {clock}", if threads == 1 { "thread" } else { "threads" });
         setting(&rows, baseline).render(&mut out);
         out.push('\n');
     }
@@ -112,7 +113,7 @@ mod tests {
             row("sat/square", 1, Some("avx2"), 4e6, None),
         ];
         let expected = "\
-1 thread
+1 thread, CPU time
   kernel  case    simd  lavapipe ms  interpreter ms  ratio  ns/lane-op
   scan    counts  avx2        2.000           1.000   0.50    1000.000
   sat     square  avx2            -           4.000      -    4000.000

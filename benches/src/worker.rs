@@ -1,9 +1,9 @@
 //! The child process of one engine in one thread setting, and the coordinator's side of it.
 //!
 //! Messages are JSON, one a line. Criterion prints to standard output as well, so a reply begins with [`MARK`] and all
-//! other lines are its report. Whatever ends a child before its reply fails one measurement and nothing else.
+//! other lines are its report; what is said on standard error goes to a file in the child's folder. Whatever ends a child before its reply fails one measurement and nothing else.
 
-use std::fs;
+use std::fs::{self, File};
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, Command, Stdio};
@@ -12,6 +12,7 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
+use crate::clock::Clock;
 use crate::engine::{self, Adapter, Engine, Threads};
 use crate::error::{Error, Result};
 use crate::measure::{self, Prepared, Sampling};
@@ -19,6 +20,9 @@ use crate::subject::{Subject, subjects};
 
 /// What a line that is a reply begins with.
 const MARK: &str = "@@sightlines ";
+
+/// The file of what a child says on standard error.
+const WORDS: &str = "stderr.txt";
 
 /// Longest silence of a child that is asked something.
 const PATIENCE: Duration = Duration::from_secs(600);
@@ -93,7 +97,8 @@ fn prepare<'a>(
 
 fn measure(subject: &Subject, setting: &Setting, prepared: &mut Prepared<'_>) -> Result<Measured> {
     let backend = setting.engine.backend();
-    let median_ns = measure::median_ns(subject, backend, prepared, setting.sampling, &setting.folder)?;
+    let how = (Clock::of(setting.threads), setting.sampling);
+    let median_ns = measure::median_ns(subject, backend, prepared, how, &setting.folder)?;
     Ok(Measured { median_ns, digest: prepared.digest(), lane_ops: prepared.lane_ops })
 }
 
@@ -116,6 +121,7 @@ pub struct Worker {
     child: Child,
     input: Option<ChildStdin>,
     replies: Receiver<String>,
+    words: PathBuf,
 }
 
 impl Worker {
@@ -134,7 +140,9 @@ impl Worker {
             Threads::One => command.env("LP_NUM_THREADS", "1"),
             Threads::All => command.env_remove("LP_NUM_THREADS"),
         };
-        command.arg("worker").stdin(Stdio::piped()).stdout(Stdio::piped());
+        let words = setting.folder.join(WORDS);
+        let words = File::create(&words).map_err(|e| Error::file(&words, e))?;
+        command.arg("worker").stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(words);
         let mut child = command.spawn().map_err(|e| Error::Worker(format!("{}: {e}", exe.display())))?;
         let (send, replies) = mpsc::channel();
         if let Some(output) = child.stdout.take() {
@@ -147,7 +155,7 @@ impl Worker {
             });
         }
         let input = child.stdin.take();
-        let mut worker = Worker { child, input, replies };
+        let mut worker = Worker { child, input, replies, words: setting.folder.join(WORDS) };
         worker.tell(&line(setting)?)?;
         Ok(worker)
     }
@@ -163,8 +171,8 @@ impl Worker {
         let reply = self.replies.recv_timeout(PATIENCE).map_err(|e| match e {
             mpsc::RecvTimeoutError::Timeout => Error::Worker(format!("no answer within {} s", PATIENCE.as_secs())),
             mpsc::RecvTimeoutError::Disconnected => Error::Worker(match self.child.wait() {
-                Ok(status) => format!("it ended with {status}"),
-                Err(e) => format!("it ended: {e}"),
+                Ok(status) => format!("it ended with {status}; see {}", self.words.display()),
+                Err(e) => format!("it ended: {e}; see {}", self.words.display()),
             }),
         })?;
         parse::<Reply>(&reply)?.map_err(Error::Measurement)
