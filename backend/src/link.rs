@@ -14,6 +14,7 @@
 //! some file at the same line; columns may move only behind a defined value.
 
 use std::collections::HashSet;
+use std::ops::Range;
 
 use naga::Span;
 use serde::{Deserialize, Serialize};
@@ -142,18 +143,17 @@ impl Linker<'_> {
         let mut edits = Vec::new();
         let mut header = true;
         for item in &items {
-            let at = place(path, &source, item.range.start);
+            let at = || place(path, &source, item.range.start);
             let keyword = &source[item.keyword.clone()];
             let ours = matches!(keyword, "import" | "require");
             if ours && !header {
-                return Err(
-                    self.error(&format!("`{keyword}` stands after another item; move it to the top"), Some(&at))
-                );
+                let message = format!("`{keyword}` stands after another item; move it to the top");
+                return Err(self.error(&message, Some(&at())));
             }
             match keyword {
-                "import" => self.import(&source[item.range.clone()], &at)?,
-                "require" => self.require(&source, item, &at)?,
-                "const" => edits.extend(self.define(&source, item, &at)?),
+                "import" => self.import(&source[item.range.clone()], &at())?,
+                "require" => self.require(&source, item, &at())?,
+                "const" => edits.extend(self.define(&source, item)?),
                 _ => {}
             }
             header = ours;
@@ -244,16 +244,15 @@ impl Linker<'_> {
     }
 
     /// The edit that gives a `const` its defined value.
-    fn define(&mut self, source: &str, item: &Item, at: &Location) -> Result<Option<(std::ops::Range<usize>, String)>> {
+    fn define(&mut self, source: &str, item: &Item) -> Result<Option<(Range<usize>, String)>> {
         let Some(define) = self.defines.iter().find(|d| d.name == source[item.name.clone()]) else { return Ok(None) };
         let declared = &source[item.name.end..item.range.end];
-        let equals = text::tokens(declared).find(|t| t.kind == Kind::Punct('=')).map(|t| t.range.end);
-        let start = item.name.end
-            + equals.ok_or_else(|| self.error(&format!("`const {}` has no initialiser", define.name), Some(at)))?;
-        let range = start..item.range.end - 1;
+        let equals = text::tokens(declared).find(|t| t.kind == Kind::Punct('=')).map(|t| item.name.end + t.range.end);
+        let Some(range) = equals.map(|start| start..item.range.end - 1) else { return Ok(None) };
         if source[range.clone()].contains(['\n', '\r']) {
             let message = format!("the initialiser of `const {}` spans lines; a defined const needs one", define.name);
-            return Err(self.error(&message, Some(at)));
+            let path = self.open.last().map(String::as_str).unwrap_or_default();
+            return Err(self.error(&message, Some(&place(path, source, item.range.start))));
         }
         self.used.insert(define.name.clone());
         Ok(Some((range, format!(" {}", define.value))))

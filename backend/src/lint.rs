@@ -29,7 +29,7 @@ use std::ops::Range;
 use naga::valid::ModuleInfo;
 
 use crate::error::ErrorKind;
-use crate::program::render;
+use crate::program::Renderer;
 use crate::text::{self, Item};
 use crate::{Linked, Result};
 use marks::Marks;
@@ -187,6 +187,7 @@ fn report(linked: &Linked, source: &Source<'_>, mut found: Vec<Violation>) -> Er
         let item = source.item_at(violation.range.start).unwrap_or(source.items.len());
         groups.entry((item, violation.lint)).or_default().push(violation);
     }
+    let renderer = Renderer::new(linked);
     let mut rendered = String::new();
     for ((_, name), violations) in groups {
         let Some(lint) = lint(name) else { continue };
@@ -196,7 +197,7 @@ fn report(linked: &Linked, source: &Source<'_>, mut found: Vec<Violation>) -> Er
         if violations.len() > MAX_LABELS {
             notes.push(format!("and {} more in the same item", violations.len() - MAX_LABELS));
         }
-        rendered.push_str(&render(linked, &format!("{name}: {}", lint.summary), &labels, notes));
+        rendered.push_str(&renderer.render(&format!("{name}: {}", lint.summary), &labels, notes));
         rendered.push('\n');
     }
     ErrorKind::Wgsl { stage: "lint", location, rendered }

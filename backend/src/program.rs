@@ -194,32 +194,41 @@ pub(crate) fn diagnose(
     labels: &[(naga::Span, String)],
     notes: Vec<String>,
 ) -> ErrorKind {
-    let rendered = render(linked, message, labels, notes);
+    let rendered = Renderer::new(linked).render(message, labels, notes);
     let location = labels.iter().find_map(|(span, _)| linked.locate(span.to_range()?.start));
     ErrorKind::Wgsl { stage, location, rendered }
 }
 
-/// The text of a diagnostic, with the source lines of its labels.
-pub(crate) fn render(linked: &Linked, message: &str, labels: &[(naga::Span, String)], notes: Vec<String>) -> String {
-    let mut files = SimpleFiles::new();
-    for file in &linked.files {
-        let text = linked.text.get(file.start as usize..file.end as usize);
-        files.add(file.path.as_str(), text.unwrap_or_default());
+/// Turns diagnostics about linked text into text that shows the authors' lines.
+pub(crate) struct Renderer<'a> {
+    linked: &'a Linked,
+    files: SimpleFiles<&'a str, &'a str>,
+}
+
+impl<'a> Renderer<'a> {
+    pub(crate) fn new(linked: &'a Linked) -> Self {
+        let mut files = SimpleFiles::new();
+        for file in &linked.files {
+            let text = linked.text.get(file.start as usize..file.end as usize);
+            files.add(file.path.as_str(), text.unwrap_or_default());
+        }
+        Renderer { linked, files }
     }
-    let mut marks = Vec::new();
-    for (span, text) in labels {
-        let Some(range) = span.to_range() else { continue };
-        let Some(index) = linked.file_at(range.start) else { continue };
-        let start = linked.files[index].start as usize;
-        let end = range.end.min(linked.files[index].end as usize).max(range.start);
-        marks.push(Label::primary(index, range.start - start..end - start).with_message(text));
-    }
-    let diagnostic = Diagnostic::error().with_message(message).with_labels(marks).with_notes(notes);
-    let mut rendered = String::new();
-    let config = term::Config::default();
-    match term::emit_to_string(&mut rendered, &config, &files, &diagnostic) {
-        Ok(()) => rendered,
-        Err(_) => format!("error: {message}\n"),
+
+    pub(crate) fn render(&self, message: &str, labels: &[(naga::Span, String)], notes: Vec<String>) -> String {
+        let marks = labels.iter().filter_map(|(span, text)| {
+            let range = span.to_range()?;
+            let index = self.linked.file_at(range.start)?;
+            let file = &self.linked.files[index];
+            let (start, end) = (file.start as usize, (file.end as usize).min(range.end).max(range.start));
+            Some(Label::primary(index, range.start - start..end - start).with_message(text))
+        });
+        let diagnostic = Diagnostic::error().with_message(message).with_labels(marks.collect()).with_notes(notes);
+        let mut rendered = String::new();
+        match term::emit_to_string(&mut rendered, &term::Config::default(), &self.files, &diagnostic) {
+            Ok(()) => rendered,
+            Err(_) => format!("error: {message}\n"),
+        }
     }
 }
 
