@@ -28,7 +28,9 @@ pub use front::CompileLimits;
 pub use kernel::{Case, Expected, Kernel, Size};
 pub use link::{Define, File, Linked, Sources};
 pub use program::{Access, Binding, Entry, Opaque, Program, Specialised};
-pub use recording::{BufferDesc, BufferId, Command, Dispatch, Groups, Job, ProgramId, Read, Recording, Slot};
+pub use recording::{
+    BufferDesc, BufferId, Command, Dispatch, Groups, Job, ProgramId, RECORD_MARK, Read, Recording, Slot,
+};
 
 /// Version of the numerics contract. It is printed in every snapshot and changes whenever an output bit may change.
 pub const CONTRACT_VERSION: u32 = 1;

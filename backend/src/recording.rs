@@ -146,6 +146,9 @@ pub struct Job {
 
 const MAGIC: &[u8] = b"sightlines job 1\n";
 
+/// Stands behind the job in the dump of a failure, before the record of what was expected.
+pub const RECORD_MARK: &[u8] = b"\nsightlines record\n";
+
 impl Job {
     /// An empty job.
     pub fn new() -> Self {
@@ -226,12 +229,12 @@ impl Job {
     }
 
     /// Reads what [`Job::to_bytes`] wrote. Programs are compiled again from their text, under the same limits, and the
-    /// job is checked: any bytes give a job that a backend may run, or an error.
+    /// job is checked: any bytes give a job that a backend may run, or an error. What follows [`RECORD_MARK`] is not read.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
         let mut body =
             bytes.strip_prefix(MAGIC).ok_or_else(|| ErrorKind::Format("the first line is not its magic".into()))?;
         let job: Job = ciborium::from_reader(&mut body).map_err(|e| ErrorKind::Format(e.to_string()))?;
-        if !body.is_empty() {
+        if !body.is_empty() && !body.starts_with(RECORD_MARK) {
             return Err(ErrorKind::Format(format!("{} bytes follow the job", body.len())).into());
         }
         crate::check::job(&job)?;
