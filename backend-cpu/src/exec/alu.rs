@@ -125,6 +125,13 @@ fn signed<S: Simd>(a: u32x16<S>) -> i32x16<S> {
     a.bitcast()
 }
 
+/// The lesser of each lane and a limit; NaN stays.
+#[inline(always)]
+fn at_most<S: Simd>(s: S, a: f32x16<S>, limit: f32) -> f32x16<S> {
+    let limit = s.splat_f32x16(limit);
+    s.select_f32x16(s.simd_gt_f32x16(a, limit), limit, a)
+}
+
 #[inline(always)]
 fn each<S: Simd>(a: u32x16<S>, f: impl Fn(u32) -> u32) -> u32x16<S> {
     let words: [u32; CHUNK] = a.into();
@@ -155,6 +162,11 @@ pub(super) fn unary<S: Simd>(s: S, r: Rows<'_>, op: UnOp, dst: Reg, a: Reg) {
             UnOp::Sqrt => map(s, r, dst, a, |a| s.sqrt_f32x16(float(a)).bitcast()),
             UnOp::IntToFloat => map(s, r, dst, a, |a| s.cvt_f32_i32x16(signed(a)).bitcast()),
             UnOp::UintToFloat => map(s, r, dst, a, |a| s.cvt_f32_u32x16(a).bitcast()),
+            UnOp::FloatToInt => map(s, r, dst, a, |a| {
+                let a = at_most(s, float(a), 2_147_483_520.0);
+                s.cvt_i32_precise_f32x16(a).bitcast()
+            }),
+            UnOp::FloatToUint => map(s, r, dst, a, |a| s.cvt_u32_precise_f32x16(at_most(s, float(a), 4_294_967_040.0))),
             UnOp::CountOneBits => map(s, r, dst, a, |a| s.count_ones_u32x16(a)),
             UnOp::CountLeadingZeros => map(s, r, dst, a, |a| each(a, u32::leading_zeros)),
             UnOp::CountTrailingZeros => map(s, r, dst, a, |a| each(a, u32::trailing_zeros)),

@@ -216,7 +216,7 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
                 Inst::Zero { offset, count } => self.private.zero(offset, count),
                 Inst::Atomic { index } => self.atomic(&code.atomics[index as usize])?,
                 Inst::Barrier { site } => {
-                    if self.launch.trap && !self.exec.full {
+                    if !self.exec.full {
                         return Err(Stop::Barrier { site });
                     }
                 }
