@@ -49,8 +49,7 @@ impl<'a> CpuSession<'a> {
             Groups::Direct(groups) => groups,
             Groups::Indirect { buffer, offset } => {
                 let words = self.range(buffer, offset, 12)?;
-                let groups = [words[0], words[1], words[2]];
-                if groups.iter().any(|g| *g > 65_535) { [0; 3] } else { groups }
+                check::indirect_groups([words[0], words[1], words[2]])
             }
         };
         let ranges = self.ranges(&program, dispatch)?;

@@ -38,14 +38,7 @@ pub(crate) struct Options {
 
 /// Lowers one entry point with its overrides applied.
 pub(crate) fn lower(program: &Program, entry: &str, overrides: &[(String, f64)], options: Options) -> Result<Code> {
-    let constants = overrides.iter().cloned().collect();
-    let (module, info) = naga::back::pipeline_constants::process_overrides(
-        program.module(),
-        program.info(),
-        Some((naga::ShaderStage::Compute, entry)),
-        &constants,
-    )
-    .map_err(|e| Error::refused(format!("the overrides of `{entry}`: {e}"), "give each override a valid value"))?;
+    let (module, info) = program.specialise(entry, overrides)?;
     let index = module.entry_points.iter().position(|e| e.name == entry).ok_or_else(|| {
         Error::refused(format!("`{}` has no entry point `{entry}`", program.label()), "name one that it has")
     })?;
