@@ -18,7 +18,9 @@ use libtest_mimic::{Arguments, Failed, Trial};
 fn main() {
     let arguments = Arguments::from_args();
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ops");
-    let engines = Arc::new(engines::engines());
+    let mut engines = vec![engines::Engine::reference()];
+    engines.extend(engines::engines());
+    let engines = Arc::new(engines);
     let mut trials = Vec::new();
     let mut files = Vec::new();
     for path in filetest::wgsl_files(&folder) {

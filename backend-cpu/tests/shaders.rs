@@ -21,12 +21,13 @@ mod script;
 use std::path::Path;
 use std::sync::Arc;
 
+use engines::Engine;
 use libtest_mimic::{Arguments, Failed, Trial};
 use script::Script;
 
 fn main() {
     let arguments = Arguments::from_args();
-    let engines = Arc::new(engines::engines());
+    let engines = Arc::new(all_engines());
     let mut trials = Vec::new();
     for folder in ["tests/shaders", "tests/regressions"] {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
@@ -47,4 +48,10 @@ fn main() {
         }
     }
     libtest_mimic::run(&arguments, trials).exit();
+}
+
+fn all_engines() -> Vec<Engine> {
+    let mut engines = vec![Engine::reference(), Engine::trapping(), Engine::counting()];
+    engines.extend(engines::engines());
+    engines
 }

@@ -1,6 +1,7 @@
 //! The machines that every test runs on: the reference, and the interpreter at each setting that must not show.
 
 use sightlines_backend::Backend;
+use sightlines_backend_cpu::{Bounds, Config, CpuBackend, Simd};
 
 #[path = "../reference/mod.rs"]
 mod reference;
@@ -15,7 +16,40 @@ pub struct Engine {
     pub traps: bool,
 }
 
-/// The reference and the interpreter at its settings.
+impl Engine {
+    fn cpu(name: impl Into<String>, config: Config) -> Self {
+        let traps = config.bounds == Bounds::Trap;
+        Engine { name: name.into(), backend: Box::new(CpuBackend::new(config)), traps }
+    }
+
+    pub fn reference() -> Self {
+        Engine { name: "reference".into(), backend: Box::new(Reference), traps: false }
+    }
+
+    /// The interpreter that stops at an access out of bounds.
+    pub fn trapping() -> Self {
+        Self::cpu("cpu_trap", Config { threads: 1, bounds: Bounds::Trap, ..config() })
+    }
+
+    /// The interpreter that counts semantic costs.
+    pub fn counting() -> Self {
+        Self::cpu("cpu_count", Config { count: true, ..config() })
+    }
+}
+
+/// Clamped accesses, and fuel that an endless loop uses up quickly.
+fn config() -> Config {
+    Config { bounds: Bounds::Clamp, fuel: 1 << 20, ..Config::default() }
+}
+
+/// The interpreter: at its defaults, at every SIMD level with few lanes, and with other lanes and threads.
 pub fn engines() -> Vec<Engine> {
-    vec![Engine { name: "reference".into(), backend: Box::new(Reference), traps: false }]
+    let mut engines = vec![Engine::cpu("cpu", config())];
+    for simd in Simd::available() {
+        let settings = Config { simd: Some(simd), lanes: Some(16), threads: 1, ..config() };
+        engines.push(Engine::cpu(format!("cpu_{}_16_lanes", simd.name()), settings));
+    }
+    engines.push(Engine::cpu("cpu_64_lanes_2_threads", Config { lanes: Some(64), threads: 2, ..config() }));
+    engines.push(Engine::cpu("cpu_256_lanes_1_thread", Config { lanes: Some(256), threads: 1, ..config() }));
+    engines
 }

@@ -13,7 +13,7 @@ use super::unsupported;
 use super::value::Value;
 
 /// Loop iterations that one dispatch may take.
-const FUEL: u64 = 1 << 22;
+const FUEL: u64 = 1 << 20;
 
 /// Memory and counters that the invocations of a dispatch share.
 pub struct Shared<'a> {

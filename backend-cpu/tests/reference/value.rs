@@ -105,9 +105,8 @@ pub fn scalarwise(args: &[&Value], f: &dyn Fn(&[&Value]) -> Result<Value>) -> Re
     let parts = args.iter().find_map(|a| if let Composite(parts) = a { Some(parts.len()) } else { None });
     let Some(parts) = parts else { return f(args) };
     let part = |i: usize| {
-        let at = |a: &&Value| if let Composite(parts) = *a { parts[i].clone() } else { (*a).clone() };
-        let owned: Vec<Value> = args.iter().map(at).collect();
-        scalarwise(&owned.iter().collect::<Vec<_>>(), f)
+        let parts = args.iter().map(|a| if let Composite(parts) = a { &parts[i] } else { *a });
+        scalarwise(&parts.collect::<Vec<_>>(), f)
     };
     (0..parts).map(part).collect::<Result<_>>().map(Composite)
 }

@@ -7,13 +7,16 @@ use sightlines_backend::{Backend, BufferId, Command, Dispatch, Groups, Job, Link
 
 use crate::engines::Engine;
 
+/// Words of each buffer, by binding.
+pub type Buffers = BTreeMap<u32, Vec<u32>>;
+
 /// What a file says.
 pub struct Script {
     path: String,
     text: String,
-    buffers: BTreeMap<u32, Vec<u32>>,
+    buffers: Buffers,
     dispatches: Vec<Launch>,
-    expected: BTreeMap<u32, Vec<u32>>,
+    expected: Buffers,
     /// Line and text of the message.
     trap: Option<(u32, String)>,
     fails: Option<String>,
@@ -42,7 +45,12 @@ pub fn wgsl_files(folder: &Path) -> Vec<PathBuf> {
 impl Script {
     pub fn read(path: &Path) -> Result<Self, String> {
         let text = std::fs::read_to_string(path).map_err(|e| format!("{}: {e}", path.display()))?;
-        Self::parse(&path.file_name().unwrap_or_default().to_string_lossy(), text)
+        let script = Self::parse(&path.file_name().unwrap_or_default().to_string_lossy(), text)?;
+        let silent = script.expected.is_empty() && script.trap.is_none() && script.fails.is_none();
+        if silent || script.dispatches.is_empty() {
+            return Err(format!("{}: runs or expects nothing", script.path));
+        }
+        Ok(script)
     }
 
     pub fn parse(path: &str, text: String) -> Result<Self, String> {
@@ -63,10 +71,6 @@ impl Script {
                 .ok_or_else(|| format!("{path}:{}: cannot read `{directive}`", index + 1))?;
         }
         script.text = text;
-        let silent = script.expected.is_empty() && script.trap.is_none() && script.fails.is_none();
-        if silent || script.dispatches.is_empty() {
-            return Err(format!("{path}: runs or expects nothing"));
-        }
         Ok(script)
     }
 
@@ -119,14 +123,15 @@ impl Script {
             return refusal(result, message).and(refusal(self.execute(engine.backend.as_ref()), &place));
         }
         let outputs = result?;
-        for ((binding, expected), output) in self.expected.iter().zip(outputs) {
-            compare(&self.path, *binding, expected, &output)?;
+        for (binding, expected) in &self.expected {
+            let got = outputs.get(binding).ok_or_else(|| format!("{}: no buffer {binding}", self.path))?;
+            compare(&self.path, *binding, expected, got)?;
         }
         Ok(())
     }
 
-    /// The expected buffers as they come out.
-    fn execute(&self, backend: &dyn Backend) -> Result<Vec<Vec<u32>>, String> {
+    /// All buffers as they are after the run.
+    pub fn execute(&self, backend: &dyn Backend) -> Result<Buffers, String> {
         let linked = Linked::single(&self.path, &self.text).map_err(|e| e.to_string())?;
         let program = Program::unlinted(&self.path, linked).map_err(|e| e.to_string())?;
         let mut job = Job::new();
@@ -146,16 +151,16 @@ impl Script {
             let (entry, overrides) = (launch.entry.clone(), launch.overrides.clone());
             job.record(Command::Dispatch(Dispatch { program: id, entry, overrides, slots, groups }));
         }
-        for binding in self.expected.keys() {
-            job.read(format!("{binding}"), buffers[binding]);
+        for (binding, &buffer) in &buffers {
+            job.read(format!("{binding}"), buffer);
         }
         let outputs = backend.run(&job).map_err(|e| e.to_string())?;
         let word = |b: &[u8]| u32::from_le_bytes([b[0], b[1], b[2], b[3]]);
-        Ok(outputs.iter().map(|bytes| bytes.chunks_exact(4).map(word).collect()).collect())
+        Ok(buffers.into_keys().zip(outputs.iter().map(|bytes| bytes.chunks_exact(4).map(word).collect())).collect())
     }
 }
 
-fn refusal(result: Result<Vec<Vec<u32>>, String>, wanted: &str) -> Result<(), String> {
+fn refusal(result: Result<Buffers, String>, wanted: &str) -> Result<(), String> {
     match result {
         Ok(_) => Err(format!("ran, but must fail with `{wanted}`")),
         Err(message) if message.contains(wanted) => Ok(()),

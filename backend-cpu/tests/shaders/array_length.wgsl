@@ -5,6 +5,7 @@
 //! dispatch: main 1 1 1
 //! expect 1: u32 0*12 1 2 3 9 0*3
 //! expect 2: u32 7 2 25
+//! trap: 35 index 25 is out of bounds of length 2
 
 struct Element {
     a: vec3<u32>,

@@ -1,0 +1,74 @@
+//! The types that programs use.
+
+use super::random::Random;
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Scalar {
+    Bool,
+    I32,
+    U32,
+    F32,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub enum Type {
+    Scalar(Scalar),
+    Vector(usize, Scalar),
+    /// Columns and rows of f32.
+    Matrix(usize, usize),
+    Array(Box<Type>, usize),
+    /// Index into the program's structures.
+    Struct(usize),
+}
+
+pub const BOOL: Type = Type::Scalar(Scalar::Bool);
+pub const I32: Type = Type::Scalar(Scalar::I32);
+pub const U32: Type = Type::Scalar(Scalar::U32);
+pub const F32: Type = Type::Scalar(Scalar::F32);
+
+impl Scalar {
+    pub const ALL: [Scalar; 4] = [Scalar::Bool, Scalar::I32, Scalar::U32, Scalar::F32];
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Scalar::Bool => "bool",
+            Scalar::I32 => "i32",
+            Scalar::U32 => "u32",
+            Scalar::F32 => "f32",
+        }
+    }
+}
+
+impl Type {
+    pub fn name(&self) -> String {
+        match self {
+            Type::Scalar(scalar) => scalar.name().to_owned(),
+            Type::Vector(n, scalar) => format!("vec{n}<{}>", scalar.name()),
+            Type::Matrix(columns, rows) => format!("mat{columns}x{rows}<f32>"),
+            Type::Array(element, n) => format!("array<{}, {n}>", element.name()),
+            Type::Struct(index) => format!("S{index}"),
+        }
+    }
+
+    /// A scalar, vector or matrix; numbers more often than bool.
+    pub fn small(random: &mut Random) -> Type {
+        let scalar = *random.pick(&[Scalar::Bool, Scalar::I32, Scalar::I32, Scalar::U32, Scalar::U32, Scalar::F32]);
+        match random.below(8) {
+            0..=4 => Type::Scalar(scalar),
+            5 | 6 => Type::Vector(2 + random.below(3), scalar),
+            _ => Type::Matrix(2 + random.below(3), 2 + random.below(3)),
+        }
+    }
+
+    /// Any type: an array or a structure one time in three.
+    pub fn any(random: &mut Random, structs: usize) -> Type {
+        match random.below(6) {
+            0 => Type::Array(Box::new(Type::small(random)), 1 + random.below(6)),
+            1 if structs > 0 => Type::Struct(random.below(structs)),
+            2 if structs > 0 && random.chance(30) => {
+                Type::Array(Box::new(Type::Struct(random.below(structs))), 1 + random.below(3))
+            }
+            _ => Type::small(random),
+        }
+    }
+}
