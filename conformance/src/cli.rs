@@ -28,6 +28,7 @@ The last line on standard output is always `N passed, N failed, N skipped`.";
 /// Runs every case of every kernel on every backend and compares the bits.
 #[derive(Debug, Parser)]
 #[command(name = "conformance", bin_name = "cargo xtask conformance", version, after_help = AFTER_HELP)]
+#[command(override_usage = "cargo xtask conformance [OPTIONS]")]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true, disable_help_subcommand = true)]
 pub struct Cli {
     /// What to do instead of running cases.

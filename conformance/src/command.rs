@@ -1,6 +1,6 @@
 //! What the binary does with its command line: find machines, plan, run, judge, report.
 
-use std::io::{IsTerminal, Write};
+use std::io::{ErrorKind, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -12,14 +12,14 @@ use crate::expect::{self, Expectations};
 use crate::machine::{Asked, Fleet, INSTALL_VULKAN};
 use crate::plan::{Plan, Selection};
 use crate::report::{json, junit, text};
-use crate::result::Report;
+use crate::result::{Report, Taking};
 use crate::run::{CaseRun, Rules};
 use crate::suite::{self, Suite};
 use crate::{bless, custom, files, replay, snapshot};
 
 /// Runs the suite; the answer is the process exit code.
 pub fn run(exe: &Path, kernels: &[Kernel], args: &RunArgs, out: &mut dyn Write) -> Result<u8> {
-    let mut plan = plan(kernels, args)?;
+    let plan = plan(kernels, args)?;
     if args.list {
         for selected in &plan.selected {
             let size = if selected.case.size == Size::Real { "  (real size)" } else { "" };
@@ -36,7 +36,7 @@ pub fn run(exe: &Path, kernels: &[Kernel], args: &RunArgs, out: &mut dyn Write) 
     let runs = suite.run(&plan.selected, &|finished, name| progress.show(finished, name));
     progress.clear();
     let mut report = Report { notes: notes(args, &fleet, &plan), ..Report::default() };
-    report.machines = fleet.machines.iter().map(|m| (m.name.clone(), m.identity.clone())).collect();
+    report.machines = fleet.machines.iter().map(Taking::from).collect();
     if args.bless {
         report.notes.push(blessed(exe, kernels, args, &plan, &runs)?);
     }
@@ -44,7 +44,6 @@ pub fn run(exe: &Path, kernels: &[Kernel], args: &RunArgs, out: &mut dyn Write) 
     if args.replay.is_none() && args.kernel.is_none() {
         report.suite = suite::checks(kernels, &plan, &suite.rules.expectations, &snapshots(args));
     }
-    plan.selected.clear();
     write(&report, args, out)?;
     Ok(if report.is_success() { EXIT_OK } else { EXIT_FAILED })
 }
@@ -117,13 +116,16 @@ fn notes(args: &RunArgs, fleet: &Fleet, plan: &Plan) -> Vec<String> {
         notes.push("wgpu was NOT tested: it was not asked for".into());
     }
     if plan.left_out > 0 {
-        notes.push(format!("{} cases of real size were left out (--quick)", plan.left_out));
+        notes.push(format!("{} of real size left out (--quick)", files::count(plan.left_out as u64, "case")));
     }
     if args.kernel.is_some() {
         let oracle = plan.selected.iter().any(|s| s.has_oracle);
         let oracle = if oracle { "" } else { " and no expected words" };
-        let machines = fleet.machines.len();
-        notes.push(format!("this kernel has no snapshot{oracle}; {machines} machines were compared with each other"));
+        let machines = match fleet.machines.len() {
+            1 => "one machine ran, so nothing was compared with another".to_owned(),
+            n => format!("{n} machines were compared with each other"),
+        };
+        notes.push(format!("this kernel has no snapshot{oracle}; {machines}"));
     }
     if args.replay.is_some() && plan.selected.iter().any(|s| !s.has_oracle) {
         notes.push("the file says nothing of what is expected; the machines were compared with each other".into());
@@ -134,23 +136,29 @@ fn notes(args: &RunArgs, fleet: &Fleet, plan: &Plan) -> Vec<String> {
     notes
 }
 
+/// Files first, so that the totals are the last line whatever becomes of the files.
 fn write(report: &Report, args: &RunArgs, out: &mut dyn Write) -> Result<()> {
+    let files = write_files(report, args);
+    let written =
+        if args.format.contains(&Format::Text) { text::write(report, out) } else { text::totals(report, out) };
+    match written.and_then(|()| out.flush()) {
+        // Whoever has closed the pipe wants no more words; the verdict stands.
+        Err(e) if e.kind() != ErrorKind::BrokenPipe => Err(e.into()),
+        _ => files,
+    }
+}
+
+fn write_files(report: &Report, args: &RunArgs) -> Result<()> {
     let folder = folder(args);
     for format in &args.format {
         let (file, rendered) = match format {
-            Format::Text => {
-                text::write(report, out)?;
-                continue;
-            }
+            Format::Text => continue,
             Format::Json => ("conformance.json", json::render(report).map_err(|e| e.to_string())),
             Format::Junit => ("conformance.junit.xml", junit::render(report).map_err(|e| e.to_string())),
         };
         let path = folder.join(file);
         let rendered = rendered.map_err(|e| Error::write(&path, std::io::Error::other(e)))?;
         files::write_whole(&path, rendered.as_bytes())?;
-    }
-    if !args.format.contains(&Format::Text) {
-        text::totals(report, out)?;
     }
     Ok(())
 }

@@ -109,7 +109,7 @@ impl Source<'_> {
         if let Some(file) = &buffer.file {
             return self.file(file);
         }
-        let limit = sightlines_limit() / 4;
+        let limit = STORAGE_LIMIT / 4;
         let length = buffer.zeros.or(buffer.random).unwrap_or(0);
         if length > limit {
             let what = format!("{length} words are more than a storage binding holds");
@@ -137,9 +137,7 @@ impl Source<'_> {
 }
 
 /// WebGPU's default limit of a storage binding, in bytes.
-fn sightlines_limit() -> usize {
-    128 << 20
-}
+const STORAGE_LIMIT: usize = 128 << 20;
 
 /// splitmix64, upper half.
 fn random(seed: u64) -> impl Iterator<Item = u32> {
@@ -158,7 +156,7 @@ pub fn load(wgsl: &Path, toml: &Path, seed: u64) -> Result<Selected> {
     let text = std::fs::read_to_string(toml).map_err(|e| Error::read(toml, e))?;
     let source = Source { path: toml, text: &text };
     let file: File = toml::from_str(&text).map_err(|e| {
-        let remedy = "`cargo doc` of `sightlines_conformance::custom` and docs/testing.md show the format";
+        let remedy = "docs/testing.md shows the format, under `Your own kernel`";
         source.error(e.span().unwrap_or(0..0), e.message(), remedy)
     })?;
     let (job, expected) = build(&source, &program, &file, file.seed.unwrap_or(seed))?;

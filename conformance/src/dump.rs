@@ -1,18 +1,18 @@
 //! A failing case as one file: the job, and behind it what was expected of it.
 //!
-//! The file *is* a job file (whatever follows the job is ignored by `Job::from_bytes`), so a browser page or any other
-//! runner takes it as it is. The record behind the job lets `--replay` judge without the kernel's oracle: it may come
+//! The file *is* a job file (`Job::from_bytes` does not read what follows the mark of a record), so a browser page or any
+//! other runner takes it as it is. The record behind the job lets `--replay` judge without the kernel's oracle: it may come
 //! from another commit, or from a kernel that is not in the registry.
 
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
-use sightlines_backend::{Expected, Job};
+use sightlines_backend::{Expected, Job, RECORD_MARK};
 
 use crate::error::{Error, Result};
 use crate::{diff, files};
 
-const MARK: &[u8] = b"sightlines expected 1\n";
+const END: &[u8] = b"sightlines expected 1\n";
 
 /// What a failing case was judged by.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -73,12 +73,12 @@ pub fn path(out: &Path, record: &Record) -> PathBuf {
 /// Writes a dump, whole or not at all.
 pub fn write(out: &Path, job: &[u8], record: &Record) -> Result<PathBuf> {
     let path = path(out, record);
-    let mut bytes = job.to_vec();
+    let mut bytes = [job, RECORD_MARK].concat();
     let start = bytes.len();
     ciborium::into_writer(record, &mut bytes).map_err(|e| Error::write(&path, std::io::Error::other(e.to_string())))?;
     let length = (bytes.len() - start) as u64;
     bytes.extend(length.to_le_bytes());
-    bytes.extend(MARK);
+    bytes.extend(END);
     files::write_whole(&path, &bytes)?;
     Ok(path)
 }
@@ -94,11 +94,11 @@ pub fn read(path: &Path) -> Result<(Job, Option<Record>)> {
 }
 
 fn split(bytes: &[u8]) -> Option<(&[u8], Option<Record>)> {
-    let Some(rest) = bytes.strip_suffix(MARK) else { return Some((bytes, None)) };
+    let Some(rest) = bytes.strip_suffix(END) else { return Some((bytes, None)) };
     let (rest, length) = rest.split_last_chunk::<8>()?;
     let start = rest.len().checked_sub(usize::try_from(u64::from_le_bytes(*length)).ok()?)?;
     let record = ciborium::from_reader(&rest[start..]).ok()?;
-    Some((&rest[..start], Some(record)))
+    Some((rest[..start].strip_suffix(RECORD_MARK)?, Some(record)))
 }
 
 #[cfg(test)]
@@ -128,7 +128,7 @@ mod tests {
 
         let mut bytes = std::fs::read(&path).unwrap();
         assert_eq!(Job::from_bytes(&bytes).unwrap().reads, job.reads, "a dump is not a job file");
-        let at = bytes.len() - MARK.len() - 8;
+        let at = bytes.len() - END.len() - 8;
         bytes[at..at + 8].fill(0xff);
         std::fs::write(&path, &bytes).unwrap();
         assert!(matches!(read(&path), Err(Error::Usage(_))));

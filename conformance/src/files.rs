@@ -34,6 +34,21 @@ pub fn shown(path: &Path) -> String {
     relative.unwrap_or(path).display().to_string()
 }
 
+/// A path as one word of a command for a POSIX shell.
+pub fn quoted(path: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "/._-+:@%,=".contains(c);
+    if !path.is_empty() && path.chars().all(plain) {
+        path.to_owned()
+    } else {
+        format!("'{}'", path.replace('\'', "'\\''"))
+    }
+}
+
+/// A number with its noun, in the plural where it is not one.
+pub fn count(number: u64, noun: &str) -> String {
+    format!("{number} {noun}{}", if number == 1 { "" } else { "s" })
+}
+
 /// Letters, digits, `_` and `-` of a name; everything else becomes one `_`.
 pub fn slug(name: &str) -> String {
     let mut slug = String::new();
@@ -60,6 +75,12 @@ mod tests {
         write_whole(&folder.join("deep/file"), b"x").unwrap();
         assert_eq!(fs::read(folder.join("deep/file")).unwrap(), b"x");
         fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[test]
+    fn commands_keep_odd_names_in_one_word() {
+        assert_eq!(quoted("target/a-b_c.job"), "target/a-b_c.job");
+        assert_eq!(quoted("it's mine.job"), "'it'\\''s mine.job'");
     }
 
     #[test]

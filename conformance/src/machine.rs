@@ -139,10 +139,11 @@ impl Machine {
     }
 }
 
-/// The adapter's name without its parenthesis; behind `gl:` where it is OpenGL.
+/// The adapter's name without its parenthesis and without spaces; behind `gl:` where it is OpenGL.
 fn short(entry: &AdapterEntry) -> String {
     let name = entry.name.split(" (").next().unwrap_or(&entry.name);
-    if entry.api == "gl" { format!("gl:{name}") } else { name.to_owned() }
+    let name = name.replace(' ', "_");
+    if entry.api == "gl" { format!("gl:{name}") } else { name }
 }
 
 /// What was asked for on the command line.
@@ -174,7 +175,7 @@ impl Fleet {
         if asked.cpu {
             machines.push(Machine::cpu());
         }
-        let found = if asked.wgpu || !asked.required.is_empty() { discover(exe) } else { Ok(Vec::new()) };
+        let found = if asked.wgpu { discover(exe) } else { Ok(Vec::new()) };
         let (adapters, trouble) = match found {
             Ok(adapters) => (adapters, None),
             Err(e) => (Vec::new(), Some(e.to_string())),
@@ -188,7 +189,7 @@ impl Fleet {
             require(required, &machines, trouble.as_deref())?;
         }
         let none = asked.wgpu && chosen.is_empty();
-        let absent = none.then(|| trouble.unwrap_or_else(|| "no Vulkan, Metal or DX12 adapter was found".into()));
+        let absent = none.then(|| trouble.unwrap_or_else(|| poor(&adapters)));
         if machines.is_empty() {
             let reason = absent.unwrap_or_else(|| "no backend was asked for".into());
             return Err(Error::Missing(format!("nothing to run on: {reason}\n  remedy: {INSTALL_VULKAN}")));
@@ -200,6 +201,16 @@ impl Fleet {
     pub fn has_wgpu(&self) -> bool {
         self.machines.iter().any(|m| m.identity.backend == "wgpu")
     }
+}
+
+/// Why none of the adapters found takes part.
+fn poor(adapters: &[AdapterEntry]) -> String {
+    let lacking = adapters.iter().filter(|a| a.api != "gl" && !a.lacks.is_empty());
+    let lacking: Vec<String> = lacking.map(|a| format!("{}: {}", a.name, a.lacks.join("; "))).collect();
+    if lacking.is_empty() {
+        return "no Vulkan, Metal or DX12 adapter was found".into();
+    }
+    format!("no adapter reaches WebGPU's default limits ({})", lacking.join("; "))
 }
 
 fn require(required: &str, machines: &[Machine], trouble: Option<&str>) -> Result<()> {

@@ -13,13 +13,19 @@ use sightlines_kernels::registry;
 fn main() -> ExitCode {
     match run(&Cli::parse()) {
         Ok(code) => ExitCode::from(code),
-        // Whoever has closed the pipe wants no more words.
-        Err(Error::Output(e)) if e.kind() == ErrorKind::BrokenPipe => ExitCode::from(Error::Output(e).exit_code()),
+        // Whoever has closed the pipe wants no more words; a verdict is not lost this way.
+        Err(Error::Output(e)) if e.kind() == ErrorKind::BrokenPipe => ExitCode::from(EXIT_OK),
         Err(error) => {
-            let _ = writeln!(io::stderr(), "error: {}", error.to_string().trim_end());
+            let _ = writeln!(io::stderr(), "{}", labelled(&error.to_string()));
             ExitCode::from(error.exit_code())
         }
     }
+}
+
+/// What WGSL's front end says is labelled already.
+fn labelled(message: &str) -> String {
+    let message = message.trim_end();
+    if message.starts_with("error") { message.to_owned() } else { format!("error: {message}") }
 }
 
 fn run(cli: &Cli) -> Result<u8> {

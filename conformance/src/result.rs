@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use serde::{Serialize, Serializer};
 
 use crate::diff::Table;
+use crate::machine::Machine;
 use crate::protocol::{Costs, Identity};
 
 /// Outcome of a case on a machine.
@@ -199,11 +200,26 @@ pub struct SuiteCheck {
     pub message: String,
 }
 
+/// A machine that takes part.
+#[derive(Clone, Debug, Serialize)]
+pub struct Taking {
+    /// Its name in results.
+    pub name: String,
+    /// Who it is.
+    pub identity: Identity,
+}
+
+impl From<&Machine> for Taking {
+    fn from(machine: &Machine) -> Self {
+        Taking { name: machine.name.clone(), identity: machine.identity.clone() }
+    }
+}
+
 /// Everything a run found out.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Report {
-    /// The machines: name and identity.
-    pub machines: Vec<(String, Identity)>,
+    /// The machines.
+    pub machines: Vec<Taking>,
     /// Results, by kernel, case and machine in the order of the registry.
     pub results: Vec<CaseResult>,
     /// Checks of the suite itself.

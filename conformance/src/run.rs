@@ -198,7 +198,7 @@ impl<'a> Judge<'a> {
         };
         match table {
             Some(table) if self.selected.has_oracle => {
-                Err(Verdict::fail(Check::Oracle, format!("{} words differ from the oracle", table.total), Some(table)))
+                Err(Verdict::fail(Check::Oracle, differ(table.total, "word", "from the oracle"), Some(table)))
             }
             _ => Ok(()),
         }
@@ -207,8 +207,7 @@ impl<'a> Judge<'a> {
     fn threads(&self, one: &Pass, all: &Pass) -> Result<(), Verdict> {
         let between = format!("between {} and {}", one.setting, all.setting);
         if let Some(table) = diff::outputs(&self.job.reads, &one.outputs, &all.outputs) {
-            let message = format!("{} words differ {between}", table.total);
-            return Err(Verdict::fail(Check::Threads, message, Some(table)));
+            return Err(Verdict::fail(Check::Threads, differ(table.total, "word", &between), Some(table)));
         }
         if one.costs != all.costs {
             let show = |costs: Option<Costs>| costs.map_or("none".into(), |c| format!("{c:?}"));
@@ -223,7 +222,7 @@ impl<'a> Judge<'a> {
         match diff::outputs(&self.job.reads, &reference.outputs, &pass.outputs) {
             None => Ok(()),
             Some(table) => {
-                let message = format!("{} words differ from {}", table.total, reference.identity);
+                let message = differ(table.total, "word", &format!("from {}", reference.identity));
                 Err(Verdict::fail(Check::Agreement, message, Some(table)))
             }
         }
@@ -245,7 +244,7 @@ impl<'a> Judge<'a> {
         match snapshot::compare(stored, &text) {
             None => Ok(()),
             Some(table) => {
-                let message = format!("{} lines differ from the stored snapshot", table.total);
+                let message = differ(table.total, "line", "from the stored snapshot");
                 Err(Verdict::fail(Check::Snapshot, message, Some(table)))
             }
         }
@@ -274,12 +273,16 @@ impl<'a> Judge<'a> {
         let Some(folder) = &self.rules.dumps else { return };
         match dump::write(folder, job, &record) {
             Ok(path) => {
-                result.replay = Some(format!("{} {}", self.rules.replay, files::shown(&path)));
+                result.replay = Some(format!("{} {}", self.rules.replay, files::quoted(&files::shown(&path))));
                 result.dump = Some(path);
             }
             Err(e) => result.message.push_str(&format!("; and the job could not be dumped: {e}")),
         }
     }
+}
+
+fn differ(number: u64, noun: &str, whence: &str) -> String {
+    format!("{} {} {whence}", files::count(number, noun), if number == 1 { "differs" } else { "differ" })
 }
 
 /// The stored snapshot that a case is compared with.

@@ -109,7 +109,7 @@ pub fn checks(kernels: &[Kernel], plan: &Plan, expectations: &Expectations, fold
         check("suite::names", plan.bad_names()),
         check("suite::expectations", expectations.faults(&known)),
         check("suite::snapshots", orphans),
-        check(MACHINE_COSTS, machine_costs(kernels, folder)),
+        check(MACHINE_COSTS, machine_costs(kernels, plan, folder)),
     ]
 }
 
@@ -119,13 +119,16 @@ pub fn known_paths(folder: &Path, plan: &Plan) -> BTreeSet<PathBuf> {
     cases.chain([costs::path(folder)]).collect()
 }
 
-fn machine_costs(kernels: &[Kernel], folder: &Path) -> Vec<String> {
+/// Machine costs of the kernels that take part.
+fn machine_costs(kernels: &[Kernel], plan: &Plan, folder: &Path) -> Vec<String> {
+    let takes_part = |line: &str| plan.selected.iter().any(|s| line.split(' ').next() == Some(s.kernel.as_str()));
+    let of_these = |text: String| text.lines().filter(|l| takes_part(l)).map(|l| format!("{l}\n")).collect::<String>();
     let compared = || -> Result<Vec<String>> {
         let present = costs::render(kernels)?;
         let Some(stored) = snapshot::read(&costs::path(folder))? else {
             return Ok(vec!["there is no snapshot of them; remedy: `cargo xtask conformance --bless`".into()]);
         };
-        let table = costs::compare(&stored, &present).unwrap_or_default();
+        let table = costs::compare(&of_these(stored), &of_these(present)).unwrap_or_default();
         let row = |r: &crate::diff::Row| format!("{}: {} instructions, were {}", r.buffer, r.got, r.expected);
         let mut lines: Vec<String> = table.rows.iter().map(row).collect();
         if table.total > lines.len() as u64 {

@@ -93,15 +93,16 @@ fn trials() -> Result<Vec<Trial>, Error> {
     let runs = plan.selected.iter().map(|_| OnceLock::new()).collect();
     let shared = Arc::new(Shared { exe, fleet, rules, plan, runs, idle: Mutex::new(Vec::new()) });
     let mut trials = suite_trials(&shared);
-    for (index, selected) in shared.plan.selected.iter().enumerate() {
-        for (position, machine) in shared.fleet.machines.iter().enumerate() {
+    // Machine by machine: the tests of the first do the work, side by side; those of the others look it up.
+    for (position, machine) in shared.fleet.machines.iter().enumerate() {
+        for (index, selected) in shared.plan.selected.iter().enumerate() {
             let shared = Arc::clone(&shared);
             let name = format!("{}::{}", selected.name(), machine.name);
             trials.push(Trial::test(name, move || shared.case(index, position)));
         }
-        if let Some(why) = &shared.fleet.absent {
-            trials.push(absent(format!("{}::{ABSENT}", selected.name()), why.clone()));
-        }
+    }
+    if let Some(why) = &shared.fleet.absent {
+        trials.extend(shared.plan.selected.iter().map(|s| absent(format!("{}::{ABSENT}", s.name()), why.clone())));
     }
     Ok(trials)
 }

@@ -5,12 +5,12 @@ use std::io::{self, Write};
 
 use sightlines_backend::CONTRACT_VERSION;
 
-use crate::result::{CaseResult, Report, Status};
+use crate::result::{CaseResult, Report, Status, Taking};
 
 /// Writes the whole report; its last line is the totals.
 pub fn write(report: &Report, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "numerics contract {CONTRACT_VERSION}")?;
-    for (name, identity) in &report.machines {
+    for Taking { name, identity } in &report.machines {
         let threads = identity.threads.map_or_else(String::new, |n| format!(", 1 and {n} threads"));
         writeln!(out, "machine {name}: {identity}{threads}")?;
     }
