@@ -327,6 +327,23 @@ fn touch() { out[0] = 1u; }";
     }
 
     #[test]
+    fn equal_bind_groups_are_made_once() {
+        let linked = Linked::single("touch.wgsl", TOUCH).expect("it is one file");
+        let program = Program::unlinted("touch", linked).expect("it is valid");
+        let mut job = Job::new();
+        let (id, a, b) = (job.program(&program), job.buffer("a", 4), job.buffer("b", 4));
+        for buffer in [a, b, a, a, b] {
+            job.dispatch(id, "touch", &[(0, buffer)], [1, 1, 1]);
+        }
+        let (device, pipelines) = (noop(), Pipelines::default());
+        let mut session = WgpuSession::open(&device, &pipelines, &job.programs, &job.buffers).expect("it is small");
+        for _ in 0..2 {
+            session.submit(&job.recordings[0]).expect("it is well formed");
+            assert_eq!((session.groups.len(), pipelines.len()), (2, 1));
+        }
+    }
+
+    #[test]
     fn copies_and_uploads_keep_their_order_on_any_device() {
         let mut job = Job::new();
         let (a, b) = (job.upload("a", &[1u32, 2, 3]), job.buffer("b", 12));
