@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use sightlines_backend::check;
 use sightlines_backend::{
     Access, BufferDesc, BufferId, Command, Counts, Dispatch, Error, Groups, Program, Read, Recording, Result, Session,
     Trap, TrapKind,
