@@ -340,4 +340,25 @@ mod tests {
             assert!(matches!(require(name, &[], None), Err(Error::Missing(_))));
         }
     }
+
+    #[cfg(unix)]
+    #[test]
+    fn an_engine_whose_child_dies_is_a_failure_and_no_row() {
+        let folder = std::env::temp_dir().join(format!("sightlines-plan-{}", std::process::id()));
+        let plan = Plan {
+            exe: Path::new("false"),
+            engines: vec![interpreter()],
+            subjects: vec![subject("micro/gather")],
+            rounds: 3,
+            sampling: Sampling::QUICK,
+            folder: folder.clone(),
+            core: None,
+        };
+        let (mut rows, mut failures) = (Vec::new(), Vec::new());
+        plan.setting(Threads::All, &mut rows, &mut failures);
+        assert!(rows.is_empty());
+        assert_eq!(failures.len(), 1, "an engine that failed is not asked again: {failures:?}");
+        assert!(failures[0].starts_with("micro/gather on interpreter avx2"), "{failures:?}");
+        std::fs::remove_dir_all(folder).unwrap();
+    }
 }

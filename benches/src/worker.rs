@@ -206,3 +206,54 @@ pub fn discover(exe: &Path) -> Result<Vec<Adapter>> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn setting(name: &str) -> Setting {
+        let folder = std::env::temp_dir().join(format!("sightlines-worker-{name}-{}", std::process::id()));
+        let engine = engine::interpreters(&[]).unwrap().remove(0);
+        Setting { engine, threads: Threads::All, sampling: Sampling::QUICK, folder }
+    }
+
+    /// The replies to some lines of input, and what else was written.
+    fn served(setting: &Setting, ids: &[&str]) -> Vec<Reply> {
+        let input = [&[line(setting).unwrap().as_str()], ids].concat().join("\n");
+        let mut out = Vec::new();
+        serve(input.as_bytes(), &mut out).unwrap();
+        let out = String::from_utf8(out).unwrap();
+        out.lines().filter_map(|line| line.strip_prefix(MARK)).map(|reply| parse(reply).unwrap()).collect()
+    }
+
+    #[test]
+    fn a_child_measures_what_it_is_asked_and_says_what_it_does_not_know() {
+        let setting = setting("serve");
+        let replies = served(&setting, &["micro/reduction", "micro/none", "micro/reduction"]);
+        let [Ok(first), Err(unknown), Ok(last)] = &replies[..] else { panic!("{replies:?}") };
+        assert!(first.median_ns > 0.0 && first.lane_ops > Some(0));
+        assert_eq!((first.digest, first.lane_ops), (last.digest, last.lane_ops));
+        assert!(unknown.contains("no subject is called `micro/none`"));
+        fs::remove_dir_all(&setting.folder).unwrap();
+    }
+
+    #[test]
+    fn an_engine_that_cannot_be_opened_answers_with_its_reason() {
+        let mut setting = setting("absent");
+        let (name, driver) = ("no such adapter".into(), String::new());
+        setting.engine = Engine::Wgpu(Adapter { name, driver, api: "vulkan".into(), lacks: Vec::new() });
+        let replies = served(&setting, &["micro/reduction"]);
+        assert!(matches!(&replies[..], [Err(reason)] if reason.contains("no such adapter")), "{replies:?}");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_child_that_dies_is_an_error() {
+        let setting = setting("dies");
+        let subject = subjects().remove(0);
+        let result = Worker::start(Path::new("false"), &setting, None).and_then(|mut worker| worker.measure(&subject));
+        assert!(matches!(result, Err(Error::Worker(_))));
+        assert!(Worker::start(Path::new("/nonexistent/program"), &setting, None).is_err());
+        fs::remove_dir_all(&setting.folder).unwrap();
+    }
+}
