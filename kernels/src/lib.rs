@@ -12,14 +12,19 @@ use std::sync::Arc;
 
 use sightlines_backend::{Define, Kernel, Program, Result};
 
+pub mod grid;
+pub mod half_planes;
+pub mod influence_region;
 pub mod item_histogram;
 pub mod permute;
 pub mod pieces;
 pub mod popcount;
 pub mod random;
+pub mod row_span;
 pub mod sat;
 pub mod scan;
 pub mod screen;
+pub mod triangles;
 
 /// Makes the registry and the table of WGSL texts from one list.
 macro_rules! package {
@@ -42,13 +47,18 @@ macro_rules! package {
 
 package! {
     kernels:
+        half_planes,
+        influence_region,
         item_histogram,
         popcount,
+        row_span,
         sat,
         scan;
     shared:
         block_scan,
-        permute;
+        crossing,
+        permute,
+        wide;
 }
 
 /// Every kernel of the workspace, by name.

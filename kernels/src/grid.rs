@@ -1,0 +1,221 @@
+//! The grid and the definition: what it means that a triangle hides a sample from a receiver.
+//!
+//! One grid a source. Its axes follow the source's rectangle, the source plane is z = 0, and vertices, receivers and
+//! samples are integer points of it, with x and y in [−2^14, 2^14) and z in [0, 2^15). **Sample S is hidden from receiver
+//! R by triangle T iff the segment R S meets T**, told by the signs of determinants of those integer points:
+//!
+//! * the three planes through R and an edge of T have S on their inner side, where inner is the side of T's third vertex,
+//!   and a sample *on* such a plane belongs to the side of larger x, or of larger y where the plane is x-parallel at z = 0
+//!   (an antisymmetric rule: of two triangles that share an edge from opposite sides exactly one owns the sample);
+//! * S and R lie strictly on opposite sides of T's own plane.
+//!
+//! A triangle whose plane holds R hides nothing. Kernels only *evaluate* this; nothing is clipped or snapped again.
+//! [`hidden`] is the definition in i128, without any thought of speed: it is the oracle of every kernel that makes masks.
+
+use sightlines_backend::{Error, Result};
+
+/// x and y lie in [−XY, XY).
+pub const XY: i32 = 1 << 14;
+
+/// z lies in [0, Z).
+pub const Z: i32 = 1 << 15;
+
+/// An integer point of the grid.
+pub type Point = [i32; 3];
+
+/// Three vertices.
+pub type Triangle = [Point; 3];
+
+/// A regular grid of light samples on the source plane: sample (k, j) stands at `origin + step·(k, j)`.
+///
+/// As a set it is numbered row by row, `j·columns + k`; a mask holds sample s in bit `s % 32` of word `s / 32`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Samples {
+    /// x and y of sample (0, 0).
+    pub origin: [i32; 2],
+    /// Distances along x and y, at least 1.
+    pub step: [i32; 2],
+    /// Samples along x: a power of two up to 32.
+    pub columns: u32,
+    /// Samples along y: a power of two up to 32.
+    pub rows: u32,
+}
+
+/// A regular grid of receivers on a plane parallel to the source: receiver (i, r) stands at `origin + step·(i, r)`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Receivers {
+    /// x and y of receiver (0, 0).
+    pub origin: [i32; 2],
+    /// Distances along x and y, at least 1.
+    pub step: [i32; 2],
+    /// z of all receivers.
+    pub height: i32,
+    /// Receivers along x.
+    pub columns: u32,
+    /// Receivers along y.
+    pub rows: u32,
+}
+
+fn refuse(what: String) -> Result<()> {
+    let remedy = "keep x and y in [-16384, 16384) and z in [0, 32768), steps at least 1, columns and rows of samples \
+                  powers of two up to 32 that make whole words";
+    Err(Error::refused(what, remedy))
+}
+
+fn along(origin: i32, step: i32, count: u32) -> Option<i32> {
+    let last = i64::from(origin) + i64::from(step) * i64::from(count.max(1) - 1);
+    i32::try_from(last).ok()
+}
+
+fn inside(origin: [i32; 2], step: [i32; 2], columns: u32, rows: u32) -> bool {
+    let fits = |axis: usize, count| {
+        let last = along(origin[axis], step[axis], count);
+        origin[axis] >= -XY && last.is_some_and(|last| last < XY)
+    };
+    fits(0, columns) && fits(1, rows)
+}
+
+impl Samples {
+    /// Number of samples.
+    pub fn count(&self) -> u32 {
+        self.columns * self.rows
+    }
+
+    /// Words of a mask.
+    pub fn words(&self) -> u32 {
+        self.count().div_ceil(32)
+    }
+
+    /// Where a sample stands, by its number in the set.
+    pub fn at(&self, sample: u32) -> Point {
+        let (k, j) = ((sample % self.columns) as i32, (sample / self.columns) as i32);
+        [self.origin[0] + self.step[0] * k, self.origin[1] + self.step[1] * j, 0]
+    }
+
+    /// Refuses what is not on the grid.
+    pub fn check(&self) -> Result<()> {
+        let steps = self.step.iter().all(|s| *s > 0);
+        let sizes = [self.columns, self.rows].iter().all(|n| n.is_power_of_two() && *n <= 32);
+        if !(steps
+            && sizes
+            && self.count().is_multiple_of(32)
+            && inside(self.origin, self.step, self.columns, self.rows))
+        {
+            return refuse(format!("light samples {self:?}"));
+        }
+        Ok(())
+    }
+}
+
+impl Receivers {
+    /// Number of receivers.
+    pub fn count(&self) -> u32 {
+        self.columns * self.rows
+    }
+
+    /// Where a receiver stands, by its number, row by row.
+    pub fn at(&self, receiver: u32) -> Point {
+        let (i, r) = ((receiver % self.columns) as i32, (receiver / self.columns) as i32);
+        [self.origin[0] + self.step[0] * i, self.origin[1] + self.step[1] * r, self.height]
+    }
+
+    /// Refuses what is not on the grid.
+    pub fn check(&self) -> Result<()> {
+        let steps = self.step.iter().all(|s| *s > 0);
+        let sizes = (1..=8192).contains(&self.columns) && (1..=8192).contains(&self.rows);
+        let high = (1..Z).contains(&self.height);
+        if !(steps && sizes && high && inside(self.origin, self.step, self.columns, self.rows)) {
+            return refuse(format!("receivers {self:?}"));
+        }
+        Ok(())
+    }
+}
+
+/// Whether a point lies on the grid.
+pub fn is_on_grid([x, y, z]: Point) -> bool {
+    (-XY..XY).contains(&x) && (-XY..XY).contains(&y) && (0..Z).contains(&z)
+}
+
+fn minus(a: Point, b: Point) -> [i128; 3] {
+    std::array::from_fn(|i| i128::from(a[i]) - i128::from(b[i]))
+}
+
+fn cross(a: [i128; 3], b: [i128; 3]) -> [i128; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn dot(a: [i128; 3], b: [i128; 3]) -> i128 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// The definition: whether `triangle` hides `sample`, a point of the plane z = 0, from `receiver`.
+pub fn hidden(receiver: Point, sample: Point, triangle: &Triangle) -> bool {
+    let to: [[i128; 3]; 3] = triangle.map(|vertex| minus(vertex, receiver));
+    let ray = minus(sample, receiver);
+    let orientation = dot(cross(to[0], to[1]), to[2]);
+    if orientation == 0 {
+        return false;
+    }
+    let inner = [(0, 1), (1, 2), (2, 0)].into_iter().all(|(i, j)| {
+        let normal = cross(to[i], to[j]).map(|n| n * orientation.signum());
+        let side = dot(normal, ray);
+        side > 0 || side == 0 && (normal[0] > 0 || normal[0] == 0 && normal[1] > 0)
+    });
+    let plane = cross(minus(triangle[1], triangle[0]), minus(triangle[2], triangle[0]));
+    let receiver_side = dot(plane, minus(receiver, triangle[0])).signum();
+    let sample_side = dot(plane, minus(sample, triangle[0])).signum();
+    inner && receiver_side * sample_side < 0
+}
+
+/// The mask of samples that any of `triangles` hides from `receiver`, by [`hidden`] alone.
+pub fn hidden_set<'a>(
+    receiver: Point,
+    samples: &Samples,
+    triangles: impl IntoIterator<Item = &'a Triangle>,
+) -> Vec<u32> {
+    let mut mask = vec![0; samples.words() as usize];
+    for triangle in triangles {
+        for sample in 0..samples.count() {
+            let bit = u32::from(hidden(receiver, samples.at(sample), triangle));
+            mask[sample as usize / 32] |= bit << (sample % 32);
+        }
+    }
+    mask
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const R: Point = [0, 0, 100];
+
+    #[test]
+    fn a_sample_behind_a_triangle_is_hidden_and_one_beside_it_is_not() {
+        let triangle = [[-10, -10, 50], [10, -10, 50], [0, 10, 50]];
+        assert!(hidden(R, [0, 0, 0], &triangle));
+        assert!(!hidden(R, [100, 0, 0], &triangle));
+        let [a, b, c] = triangle;
+        assert!(hidden(R, [0, 0, 0], &[a, c, b]), "either side of a triangle hides");
+    }
+
+    #[test]
+    fn only_what_stands_between_hides() {
+        let at = |z: i32| [[-10, -10, z], [10, -10, z], [0, 10, z]];
+        assert!(!hidden(R, [0, 0, 0], &at(100)), "in the receiver's plane");
+        assert!(!hidden(R, [0, 0, 0], &at(101)), "behind the receiver");
+        assert!(!hidden(R, [0, 0, 0], &at(0)), "in the source plane");
+        assert!(hidden(R, [0, 0, 0], &[[-10, -10, 120], [10, -10, 120], [0, 10, 20]]), "through the receiver's plane");
+    }
+
+    #[test]
+    fn a_shared_edge_neither_leaks_nor_covers_twice() {
+        let (a, b) = ([-20, 0, 50], [20, 0, 50]);
+        let (left, right) = ([a, b, [0, 30, 50]], [b, a, [0, -30, 50]]);
+        for x in -30..30 {
+            let sample = [x, 0, 0];
+            let both = (hidden(R, sample, &left), hidden(R, sample, &right));
+            assert!(both != (true, true), "{sample:?} is covered twice");
+            assert_eq!(both.0 || both.1, (-40..40).contains(&x), "{sample:?}");
+        }
+    }
+}

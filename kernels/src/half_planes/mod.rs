@@ -1,0 +1,143 @@
+//! Half-planes: the exact masks of a regular light for any triangle, those that cross either plane included.
+//!
+//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", sections 4, 5 and 10. `kernel.wgsl` states the output
+//! and the rule of ties. Invariant: the masks are those of [`crate::grid::hidden`], bit for bit, on every machine.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use sightlines_backend::host::{Bindings, Buffer};
+use sightlines_backend::{Define, Error, Job, Kernel, Program, Result, bindings, host};
+
+use crate::grid::{Receivers, Samples};
+use crate::pieces;
+
+mod cases;
+
+/// This kernel in the registry.
+pub const KERNEL: Kernel = Kernel {
+    name: "half_planes",
+    summary: "samples of a regular light that triangles hide, also where they cross the source or the receivers' plane",
+    citation: "Eisemann and Décoret, Visibility Sampling on GPU and Applications, 2007, sections 4, 5 and 10",
+    programs: || [(32, 32), (16, 16), (8, 8), (8, 4)].map(|(c, r)| program(c, r)).into_iter().collect(),
+    cases: cases::all,
+};
+
+/// Workgroups times triangles of one recording.
+const PAIRS: u32 = 1 << 14;
+
+host! {
+    /// Mirrors `struct Params`.
+    pub struct Params {
+        /// x of the first receiver.
+        pub receiver_x: i32,
+        /// y of the first receiver.
+        pub receiver_y: i32,
+        /// Distance of receivers along x.
+        pub receiver_step_x: i32,
+        /// Distance of receivers along y.
+        pub receiver_step_y: i32,
+        /// z of the receivers.
+        pub height: i32,
+        /// Receivers along x.
+        pub columns: u32,
+        /// Receivers along y.
+        pub rows: u32,
+        /// x of the first sample.
+        pub sample_x: i32,
+        /// y of the first sample.
+        pub sample_y: i32,
+        /// Distance of samples along x.
+        pub sample_step_x: i32,
+        /// Distance of samples along y.
+        pub sample_step_y: i32,
+        /// Receiver row of the first workgroup row.
+        pub first_row: u32,
+        /// First triangle.
+        pub first: u32,
+        /// One past the last triangle.
+        pub end: u32,
+    }
+}
+
+bindings! {
+    /// What the entry point is given.
+    pub struct Cuts {
+        uniform params @ 0: Params,
+        read vertices @ 1: [i32],
+        write hidden @ 2: [u32],
+    }
+}
+
+fn program(columns: u32, rows: u32) -> Result<Arc<Program>> {
+    let defines = [Define::new("COLUMNS", format!("{columns}u")), Define::new("ROWS", format!("{rows}u"))];
+    let program = crate::program("half_planes", &format!("{columns}x{rows}"), &defines)?;
+    Cuts::check(&program, "half_planes")?;
+    Ok(program)
+}
+
+/// The compiled kernel, for one shape of light.
+pub struct HalfPlanes {
+    program: Arc<Program>,
+    samples: Samples,
+}
+
+impl HalfPlanes {
+    /// Compiles it for as many columns and rows as `samples` has.
+    pub fn new(samples: &Samples) -> Result<Self> {
+        samples.check()?;
+        Ok(HalfPlanes { program: program(samples.columns, samples.rows)?, samples: *samples })
+    }
+
+    /// Adds the samples that `triangles` of `vertices` (nine coordinates each) hide to `hidden`, whose word
+    /// `(s / 32) * receivers + r` holds sample s of receiver r, in recordings of bounded cost.
+    pub fn record(
+        &self,
+        job: &mut Job,
+        receivers: &Receivers,
+        vertices: Buffer<[i32]>,
+        triangles: Range<u32>,
+        hidden: Buffer<[u32]>,
+    ) -> Result<()> {
+        receivers.check()?;
+        let words = u64::from(receivers.count()) * u64::from(self.samples.words());
+        if hidden.len() < words || vertices.len() < 9 * u64::from(triangles.end) {
+            let what = format!("{} words of masks and {} coordinates", hidden.len(), vertices.len());
+            return Err(Error::refused(what, format!("give {words} words, and nine coordinates a triangle")));
+        }
+        let program = job.program(&self.program);
+        let tiles = receivers.columns.div_ceil(256 / self.samples.rows);
+        let rows = (PAIRS / tiles).clamp(1, receivers.rows);
+        let batch = (PAIRS / (tiles * rows)).max(1);
+        for first in triangles.clone().step_by(batch as usize) {
+            let end = triangles.end.min(first.saturating_add(batch));
+            for first_row in (0..receivers.rows).step_by(rows as usize) {
+                let params = job.value("half-plane params", &self.params(receivers, first_row, first..end));
+                let height = rows.min(receivers.rows - first_row);
+                job.launch(program, "half_planes", &Cuts { params, vertices, hidden }, [tiles, height, 1]);
+                pieces::cut(job);
+            }
+        }
+        Ok(())
+    }
+
+    fn params(&self, receivers: &Receivers, first_row: u32, triangles: Range<u32>) -> Params {
+        let Samples { origin, step, .. } = self.samples;
+        Params {
+            receiver_x: receivers.origin[0],
+            receiver_y: receivers.origin[1],
+            receiver_step_x: receivers.step[0],
+            receiver_step_y: receivers.step[1],
+            height: receivers.height,
+            columns: receivers.columns,
+            rows: receivers.rows,
+            sample_x: origin[0],
+            sample_y: origin[1],
+            sample_step_x: step[0],
+            sample_step_y: step[1],
+            first_row,
+            first: triangles.start,
+            end: triangles.end,
+        }
+    }
+}

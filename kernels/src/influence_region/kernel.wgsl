@@ -1,0 +1,99 @@
+// Influence regions: which receivers a triangle can hide any sample from.
+//
+// Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 3: a triangle is projected from the four
+// corners of the source, and the bounding box of the projections is its region. On the grid (`grid.rs`) the corners are
+// the outermost samples and the receivers are points, so the box is exact: for each axis
+//
+//     first = the least i, last = the greatest i, with  min p <= origin + step * i <= max p
+//
+// over all points p where a line from a corner sample through a vertex meets the receivers' plane, clamped to the
+// receivers that exist. Output: (first column, last column, first row, last row) a triangle; the region is empty where a
+// first exceeds its last. A triangle with a vertex at or beyond either plane has no bounded projection: if all three lie
+// on one side it hides nothing and its region is empty, otherwise its region is all receivers.
+//
+// With w = height - z a line from sample coordinate s through (v, z) meets the plane at (v * height - s * w) / z. All
+// numerators stay below 2^31: |v * height|, |s * w|, |origin * z| < 2^29.
+
+struct Params {
+    triangles: u32,
+    height: i32,
+    /// Receivers along x and y.
+    columns: u32,
+    rows: u32,
+    receiver_x: i32,
+    receiver_y: i32,
+    receiver_step_x: u32,
+    receiver_step_y: u32,
+    /// First and last sample coordinate along x, then along y.
+    sample_first_x: i32,
+    sample_last_x: i32,
+    sample_first_y: i32,
+    sample_last_y: i32,
+    /// Triangle of the first invocation.
+    first: u32,
+}
+
+@group(0) @binding(0) var<uniform> params: Params;
+/// Nine coordinates a triangle.
+@group(0) @binding(1) var<storage, read> vertices: array<i32>;
+/// Four words a triangle.
+@group(0) @binding(2) var<storage, read_write> regions: array<i32>;
+
+/// floor(n / d).
+fn floor_div(n: i32, d: u32) -> i32 {
+    let negative = n < 0;
+    let magnitude = select(bitcast<u32>(n), bitcast<u32>(-1 - n), negative);
+    let quotient = bitcast<i32>(magnitude / d);
+    return select(quotient, -1 - quotient, negative);
+}
+
+/// Smallest and largest receiver index that lines through one vertex reach.
+fn reach(v: i32, z: i32, first: i32, last: i32, origin: i32, step: u32) -> vec2<i32> {
+    let w = params.height - z;
+    let base = v * params.height - origin * z;
+    let d = step * bitcast<u32>(z);
+    // The least index is a ceiling: -floor(-n / d).
+    return vec2<i32>(-floor_div(last * w - base, d), floor_div(base - first * w, d));
+}
+
+fn join(a: vec2<i32>, b: vec2<i32>) -> vec2<i32> {
+    return vec2<i32>(min(a.x, b.x), max(a.y, b.y));
+}
+
+fn store(triangle: u32, x: vec2<i32>, y: vec2<i32>) {
+    let at = 4u * triangle;
+    regions[at] = max(x.x, 0);
+    regions[at + 1u] = min(x.y, bitcast<i32>(params.columns) - 1);
+    regions[at + 2u] = max(y.x, 0);
+    regions[at + 3u] = min(y.y, bitcast<i32>(params.rows) - 1);
+}
+
+@compute @workgroup_size(64)
+fn influence_region(@builtin(global_invocation_id) id: vec3<u32>) {
+    let triangle = params.first + id.x;
+    if (triangle >= params.triangles) {
+        return;
+    }
+    let at = 9u * triangle;
+    let z = vec3<i32>(vertices[at + 2u], vertices[at + 5u], vertices[at + 8u]);
+    let low = min(min(z.x, z.y), z.z);
+    let high = max(max(z.x, z.y), z.z);
+    if ((high <= 0) | (low >= params.height)) {
+        store(triangle, vec2<i32>(0, -1), vec2<i32>(0, -1));
+        return;
+    }
+    if ((low <= 0) | (high >= params.height)) {
+        store(triangle, vec2<i32>(0, 0x7fffffff), vec2<i32>(0, 0x7fffffff));
+        return;
+    }
+    var x = vec2<i32>(0x7fffffff, -0x7fffffff);
+    var y = x;
+    for (var corner = 0u; corner < 3u; corner += 1u) {
+        let v = at + 3u * corner;
+        x = join(x, reach(vertices[v], vertices[v + 2u], params.sample_first_x, params.sample_last_x,
+            params.receiver_x, params.receiver_step_x));
+        y = join(y, reach(vertices[v + 1u], vertices[v + 2u], params.sample_first_y, params.sample_last_y,
+            params.receiver_y, params.receiver_step_y));
+    }
+    store(triangle, x, y);
+}

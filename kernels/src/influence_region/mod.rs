@@ -1,0 +1,122 @@
+//! Influence regions: which receivers a triangle can hide any sample from, as an exact rectangle.
+//!
+//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 3. `kernel.wgsl` states the output exactly.
+//! Invariant: a receiver outside a triangle's region is hidden from no sample by it.
+
+use std::sync::Arc;
+
+use sightlines_backend::host::{Bindings, Buffer};
+use sightlines_backend::{Error, Job, Kernel, Program, Result, bindings, host};
+
+use crate::grid::{Receivers, Samples};
+use crate::pieces;
+
+mod cases;
+pub mod oracle;
+
+/// This kernel in the registry.
+pub const KERNEL: Kernel = Kernel {
+    name: "influence_region",
+    summary: "rectangle of receivers that each triangle can hide any light sample from",
+    citation: "Eisemann and Décoret, Visibility Sampling on GPU and Applications, 2007, section 3, equation 3",
+    programs: || Ok(vec![InfluenceRegion::new()?.program]),
+    cases: cases::all,
+};
+
+const GROUP: u32 = 64;
+
+host! {
+    /// Mirrors `struct Params`.
+    pub struct Params {
+        /// Number of triangles.
+        pub triangles: u32,
+        /// z of the receivers.
+        pub height: i32,
+        /// Receivers along x.
+        pub columns: u32,
+        /// Receivers along y.
+        pub rows: u32,
+        /// x of the first receiver.
+        pub receiver_x: i32,
+        /// y of the first receiver.
+        pub receiver_y: i32,
+        /// Distance of receivers along x.
+        pub receiver_step_x: u32,
+        /// Distance of receivers along y.
+        pub receiver_step_y: u32,
+        /// x of the first sample.
+        pub sample_first_x: i32,
+        /// x of the last sample.
+        pub sample_last_x: i32,
+        /// y of the first sample.
+        pub sample_first_y: i32,
+        /// y of the last sample.
+        pub sample_last_y: i32,
+        /// Triangle of the first invocation.
+        pub first: u32,
+    }
+}
+
+bindings! {
+    /// What the entry point is given.
+    pub struct Regions {
+        uniform params @ 0: Params,
+        read vertices @ 1: [i32],
+        write regions @ 2: [i32],
+    }
+}
+
+/// The compiled kernel.
+pub struct InfluenceRegion {
+    program: Arc<Program>,
+}
+
+impl InfluenceRegion {
+    /// Compiles it.
+    pub fn new() -> Result<Self> {
+        let program = crate::program("influence_region", "", &[])?;
+        Regions::check(&program, "influence_region")?;
+        Ok(InfluenceRegion { program })
+    }
+
+    /// Writes four words a triangle to `regions`; `vertices` holds nine coordinates a triangle, all on the grid.
+    pub fn record(
+        &self,
+        job: &mut Job,
+        samples: &Samples,
+        receivers: &Receivers,
+        vertices: Buffer<[i32]>,
+        regions: Buffer<[i32]>,
+    ) -> Result<()> {
+        samples.check()?;
+        receivers.check()?;
+        let triangles = vertices.len() / 9;
+        if regions.len() < 4 * triangles || triangles > u64::from(u32::MAX / 9) {
+            let what = format!("{} words of regions for {triangles} triangles", regions.len());
+            return Err(Error::refused(what, "give every triangle four words"));
+        }
+        let triangles = triangles as u32;
+        let program = job.program(&self.program);
+        let last = |axis: usize, count: u32| samples.origin[axis] + samples.step[axis] * (count as i32 - 1);
+        pieces::record(job, triangles.div_ceil(GROUP), u64::from(13 * GROUP), |job, piece| {
+            let params = Params {
+                triangles,
+                height: receivers.height,
+                columns: receivers.columns,
+                rows: receivers.rows,
+                receiver_x: receivers.origin[0],
+                receiver_y: receivers.origin[1],
+                receiver_step_x: receivers.step[0] as u32,
+                receiver_step_y: receivers.step[1] as u32,
+                sample_first_x: samples.origin[0],
+                sample_last_x: last(0, samples.columns),
+                sample_first_y: samples.origin[1],
+                sample_last_y: last(1, samples.rows),
+                first: piece.start * GROUP,
+            };
+            let params = job.value("influence params", &params);
+            job.launch(program, "influence_region", &Regions { params, vertices, regions }, [piece.len() as u32, 1, 1]);
+        });
+        Ok(())
+    }
+}

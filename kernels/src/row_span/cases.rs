@@ -1,0 +1,138 @@
+//! Every shape of light and every family of triangles at a size whose whole oracle is quick, and a thicket at real size whose
+//! oracle looks at a seeded sample of receivers, most of them in the penumbra.
+
+use sightlines_backend::{Case, Expected, Job, Outputs, Result, Size};
+
+use super::{RowSpan, Scene, Tiles, tile_width};
+use crate::grid::{Receivers, Samples, Triangle, hidden_set};
+use crate::influence_region::oracle::region;
+use crate::random;
+use crate::triangles::Family;
+
+/// A light of square cells about the origin.
+fn light(step: i32, columns: u32, rows: u32) -> Samples {
+    let origin = [columns, rows].map(|n| -(step * (n as i32 - 1)) / 2);
+    Samples { origin, step: [step, step], columns, rows }
+}
+
+/// Few receivers, wide apart, so that all parts of a triangle's shadow are met.
+const FEW: Receivers = Receivers { origin: [-1500, -1100], step: [290, 370], height: 24_576, columns: 11, rows: 7 };
+
+const MANY: Receivers = Receivers { origin: [-4080, -4080], step: [32, 32], height: 24_576, columns: 256, rows: 256 };
+
+/// Receivers that the oracle of the real size looks at.
+const LOOKS: u32 = 96;
+const SEED: u32 = 17;
+const LEAVES: u32 = 20_000;
+
+pub(super) fn all() -> Vec<Case> {
+    let full = light(64, 32, 32);
+    let mut cases = vec![
+        small("nothing", full, FEW, |_, _| Vec::new()),
+        small("one", full, FEW, |_, _| vec![[[0, 0, 12_288], [300, 0, 12_288], [0, 300, 12_000]]]),
+        small("samples_256", light(128, 16, 16), FEW, mixed),
+        small("samples_64", light(64, 8, 8), FEW, mixed),
+        small("samples_32", light(512, 8, 4), FEW, mixed),
+        small("uneven_steps", Samples { step: [33, 97], ..light(64, 32, 32) }, FEW, mixed),
+        small("low_receivers", light(16, 32, 32), Receivers { height: 40, step: [9, 7], ..FEW }, mixed),
+        small("one_receiver", full, Receivers { columns: 1, rows: 1, ..FEW }, mixed),
+        thicket(),
+    ];
+    cases.extend(Family::ALL.map(|family| {
+        let name = format!("family_{}", family.name());
+        small(&name, full, FEW, move |samples, receivers| family.triangles(24, samples, receivers, 3))
+    }));
+    cases
+}
+
+fn mixed(samples: &Samples, receivers: &Receivers) -> Vec<Triangle> {
+    Family::ALL.into_iter().flat_map(|family| family.triangles(4, samples, receivers, 5)).collect()
+}
+
+/// The job of a set of triangles.
+fn job(samples: &Samples, receivers: &Receivers, triangles: &[Triangle], tile_rows: u32) -> Result<Job> {
+    let kernel = RowSpan::new(samples)?;
+    let regions: Vec<[i32; 4]> = triangles.iter().map(|t| region(t, samples, receivers)).collect();
+    let tiles = Tiles::new([tile_width(samples), tile_rows], receivers, &regions);
+    let mut job = Job::new();
+    let words: Vec<i32> = triangles.iter().flatten().flatten().copied().collect();
+    // A binding holds at least one element.
+    let vertices = job.slice("vertices", if words.is_empty() { &[0] } else { &words[..] });
+    let starts = job.slice("starts", &tiles.starts);
+    let entries = job.slice("entries", if tiles.entries.is_empty() { &[0] } else { &tiles.entries[..] });
+    let hidden = job.zeroed("hidden", u64::from(receivers.count()) * u64::from(samples.words()));
+    kernel.record(&mut job, receivers, &tiles, Scene { vertices, starts, entries, hidden })?;
+    job.read("hidden", hidden.id());
+    Ok(job)
+}
+
+fn small(
+    name: &str,
+    samples: Samples,
+    receivers: Receivers,
+    make: impl Fn(&Samples, &Receivers) -> Vec<Triangle> + Clone + Send + Sync + 'static,
+) -> Case {
+    let triangles = make.clone();
+    let job = move || job(&samples, &receivers, &triangles(&samples, &receivers), 4);
+    let expected = move |_: &Outputs| {
+        let triangles = make(&samples, &receivers);
+        let count = receivers.count();
+        let mut words = vec![0; (count * samples.words()) as usize];
+        for receiver in 0..count {
+            let mask = hidden_set(receivers.at(receiver), &samples, &triangles);
+            mask.into_iter().enumerate().for_each(|(w, word)| words[w * count as usize + receiver as usize] = word);
+        }
+        vec![Expected::Whole(words)]
+    };
+    let middle = receivers.count() / 2;
+    let probes = (0..samples.words()).step_by(5).map(move |word| word * receivers.count() + middle);
+    Case::new(name, Size::Small, job, expected).probes(probes)
+}
+
+fn leaves() -> Vec<Triangle> {
+    Family::Leaves.triangles(LEAVES, &light(64, 32, 32), &MANY, SEED)
+}
+
+fn thicket() -> Case {
+    let samples = light(64, 32, 32);
+    let expected = move |outputs: &Outputs| {
+        let triangles = leaves();
+        let regions: Vec<[i32; 4]> = triangles.iter().map(|t| region(t, &samples, &MANY)).collect();
+        let looks = penumbra(outputs.first().map_or(&[], |bytes| bytes.as_slice()), &samples);
+        let words = looks.into_iter().flat_map(|receiver| {
+            let (x, y) = ((receiver % MANY.columns) as i32, (receiver / MANY.columns) as i32);
+            let near = |r: &&([i32; 4], &Triangle)| (r.0[0]..=r.0[1]).contains(&x) && (r.0[2]..=r.0[3]).contains(&y);
+            let pairs: Vec<([i32; 4], &Triangle)> = regions.iter().copied().zip(&triangles).collect();
+            let mask = hidden_set(MANY.at(receiver), &samples, pairs.iter().filter(near).map(|r| r.1));
+            (0..samples.words()).zip(mask).map(move |(w, word)| (w * MANY.count() + receiver, word))
+        });
+        vec![Expected::Sample { words: words.collect(), seed: u64::from(SEED) }]
+    };
+    let job = move || job(&samples, &MANY, &leaves(), 8);
+    let centre = MANY.count() / 2 + MANY.columns / 2;
+    Case::new("thicket_20000", Size::Real, job, expected).probes((0..32).step_by(5).map(|w| w * MANY.count() + centre))
+}
+
+/// A seeded sample of receivers: three of four see some of the light and not all of it, where there are such.
+fn penumbra(bytes: &[u8], samples: &Samples) -> Vec<u32> {
+    let count = MANY.count();
+    let bits = |receiver: u32| -> u32 {
+        let word = |w: u32| {
+            let at = 4 * (w * count + receiver) as usize;
+            bytes.get(at..at + 4).map_or(0, |b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]).count_ones())
+        };
+        (0..samples.words()).map(word).sum()
+    };
+    let mut looks = Vec::new();
+    for index in 0.. {
+        let receiver = random::below(count, SEED, index);
+        let partly = (1..samples.count()).contains(&bits(receiver));
+        if partly || index % 4 == 0 {
+            looks.push(receiver);
+        }
+        if looks.len() as u32 >= LOOKS || index > 100_000 {
+            break;
+        }
+    }
+    looks
+}
