@@ -1,0 +1,26 @@
+//! Visibility systems composed of compute kernels: who sees whom, how much, and which rays.
+//!
+//! | module | what |
+//! |---|---|
+//! | [`scene`] | meshes from OBJ, glTF and PLY files, and generated ones |
+//! | [`setup`] | where light and receiver stand: defaults, and scene files |
+//! | [`shadows`] | soft shadows of area lights: hidden-sample sets |
+//! | [`image`] | the visible share as PNG and EXR |
+//! | [`sets`] | the sets in a file |
+//!
+//! Systems are generic over [`Backend`](sightlines_backend::Backend) and have no path of their own on the CPU. What
+//! reaches an output is computed in integers, or in f64 with + − × ÷ √ and `libm`: the same bits on every host.
+//!
+//! The program `sightlines` is this crate's `main.rs`, behind the feature `cli` (on by default); the library needs
+//! neither a backend nor a command line.
+
+pub mod error;
+pub mod image;
+pub mod output;
+pub mod scene;
+pub mod sets;
+pub mod setup;
+pub mod shadows;
+mod vector;
+
+pub use error::{Error, Result};

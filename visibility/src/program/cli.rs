@@ -1,0 +1,209 @@
+//! The command line, and nothing but the command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use sightlines_visibility::image::Depth;
+use sightlines_visibility::scene::Generator;
+use sightlines_visibility::setup::{Settings, Up};
+
+const AFTER_HELP: &str = "\
+Exit codes:
+  0  done
+  1  the work failed, or a result could not be written
+  2  the command line, the model or the scene file is wrong
+  3  the backend or adapter asked for is missing";
+
+const SHADOWS_HELP: &str = "\
+By default the receiver is a horizontal square of side 4 R just below the scene, R being the radius of its bounding
+sphere, and the light is a horizontal square of side 0.4 R, 3 R above the receiver. The image is the receiver seen from
+above. Lights and receivers of your own stand in a scene file:
+
+  model = \"model.glb\"        # beside the scene file; or: generator = \"palms\"
+  up = \"y\"                   # or \"z\"
+  resolution = 512
+  samples = 1024
+  [[light]]                  # any number; each shines along u x v
+  corner = [-1.0, 6.0, -1.0]
+  u = [2.0, 0.0, 0.0]
+  v = [0.0, 0.0, 2.0]
+  [receiver]
+  corner = [-4.0, 0.0, -4.0]
+  u = [8.0, 0.0, 0.0]        # columns of the image
+  v = [0.0, 0.0, 8.0]        # rows of the image
+
+Everything but the model or generator may be left out; options go before what the file says.";
+
+/// Who sees whom, how much, and which rays: exact visibility, the same bits on a GPU and without one.
+#[derive(Debug, Parser)]
+#[command(name = "sightlines", version, after_help = AFTER_HELP, disable_help_subcommand = true)]
+pub(crate) struct Cli {
+    /// What to compute.
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+/// What to compute.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Bake the soft shadow of an area light.
+    #[command(after_help = AFTER_HELP, after_long_help = format!("{SHADOWS_HELP}\n\n{AFTER_HELP}"))]
+    Shadows(ShadowsArgs),
+}
+
+/// Arguments of `sightlines shadows`.
+#[derive(Args, Debug)]
+pub(crate) struct ShadowsArgs {
+    /// What casts the shadow.
+    #[command(flatten)]
+    pub(crate) source: Source,
+    /// Picture of the visible share [default: shadow.png, where no other output is asked for].
+    #[arg(short, long, value_name = "FILE.png")]
+    pub(crate) output: Option<PathBuf>,
+    /// Bits of a pixel of the PNG.
+    #[arg(long, value_enum, value_name = "8|16", default_value = "8")]
+    pub(crate) bits: Bits,
+    /// The visible share as OpenEXR, one f32 channel.
+    #[arg(long, value_name = "FILE.exr")]
+    pub(crate) exr: Option<PathBuf>,
+    /// The hidden-sample sets; with several lights, one file each (FILE.0.sets, FILE.1.sets, …).
+    #[arg(long, value_name = "FILE.sets")]
+    pub(crate) sets: Option<PathBuf>,
+    /// Side of the default light, in radii of the scene [default: 0.4].
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    pub(crate) light_size: Option<f64>,
+    /// Texels a side of the receiver [default: 512].
+    #[arg(long, value_name = "N")]
+    pub(crate) resolution: Option<u32>,
+    /// Samples of the light: 32, 64, 128, 256, 512 or 1024 [default: 1024].
+    #[arg(long, value_name = "N")]
+    pub(crate) samples: Option<u32>,
+    /// The axis that points up [default: y].
+    #[arg(long, value_enum)]
+    pub(crate) up: Option<Axis>,
+    /// Where the machine is chosen.
+    #[command(flatten)]
+    pub(crate) machine: MachineArgs,
+}
+
+/// What casts the shadow.
+#[derive(Args, Debug)]
+#[group(required = true, multiple = false)]
+pub(crate) struct Source {
+    /// A mesh: OBJ, glTF (.gltf, .glb) or PLY.
+    pub(crate) model: Option<PathBuf>,
+    /// A generated scene.
+    #[arg(long, value_name = "NAME", value_parser = generator)]
+    pub(crate) scene: Option<Generator>,
+    /// A scene file: model or generator, lights, receiver, resolution, samples.
+    #[arg(long, value_name = "FILE.toml")]
+    pub(crate) scene_file: Option<PathBuf>,
+}
+
+/// Which machine runs the kernels.
+#[derive(Args, Debug)]
+pub(crate) struct MachineArgs {
+    /// The interpreter, a GPU through wgpu, or a GPU if there is one.
+    #[arg(long, value_enum, default_value = "auto")]
+    pub(crate) backend: BackendName,
+    /// Adapter of the wgpu backend, by part of its name or driver; software adapters run only when named.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) adapter: Option<String>,
+    /// Threads of the interpreter [default: all cores].
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub(crate) threads: Option<u16>,
+}
+
+/// A backend by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum BackendName {
+    /// The interpreter.
+    Cpu,
+    /// The GPU backend.
+    Wgpu,
+    /// The GPU backend where there is a GPU, else the interpreter.
+    Auto,
+}
+
+/// Bits of a pixel.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum Bits {
+    /// 256 greys.
+    #[value(name = "8")]
+    Eight,
+    /// 65,536 greys.
+    #[value(name = "16")]
+    Sixteen,
+}
+
+impl From<Bits> for Depth {
+    fn from(bits: Bits) -> Self {
+        match bits {
+            Bits::Eight => Depth::Eight,
+            Bits::Sixteen => Depth::Sixteen,
+        }
+    }
+}
+
+/// An axis.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum Axis {
+    /// As glTF and most OBJ files have it.
+    Y,
+    /// As most CAD programs have it.
+    Z,
+}
+
+impl ShadowsArgs {
+    pub(crate) fn settings(&self) -> Settings {
+        Settings {
+            up: self.up.map(|axis| match axis {
+                Axis::Y => Up::Y,
+                Axis::Z => Up::Z,
+            }),
+            light_size: self.light_size,
+            resolution: self.resolution,
+            samples: self.samples,
+        }
+    }
+}
+
+fn generator(name: &str) -> Result<Generator, String> {
+    let names = || Generator::ALL.map(Generator::name).join(", ");
+    Generator::from_name(name).ok_or_else(|| format!("choose one of {}", names()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn command_lines_are_taken_and_refused() {
+        let parse = |line: &str| Cli::try_parse_from(["sightlines"].into_iter().chain(line.split_whitespace()));
+        for good in [
+            "shadows a.obj -o a.png --exr a.exr --sets a.sets --light-size 1 --resolution 64 --samples 32 --up z",
+            "shadows --scene palms --backend cpu --threads 2 --bits 16",
+            "shadows --scene-file a.toml --backend wgpu --adapter llvmpipe",
+        ] {
+            assert!(parse(good).is_ok(), "{good}");
+        }
+        for bad in [
+            "",
+            "shadows",
+            "shadows a.obj --scene palms",
+            "shadows --scene forest",
+            "shadows a.obj --backend gpu",
+            "shadows a.obj --threads 0",
+            "shadows a.obj --up x",
+            "shadows a.obj --resolution many",
+        ] {
+            assert!(parse(bad).is_err(), "{bad}");
+        }
+    }
+}

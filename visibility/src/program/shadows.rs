@@ -1,0 +1,127 @@
+//! `sightlines shadows`: a scene in, a picture of the visible share and its sets out, and a short report.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use sightlines_backend::BackendInfo;
+use sightlines_visibility::image::{Share, write_exr, write_png};
+use sightlines_visibility::setup::Setup;
+use sightlines_visibility::shadows::{Bake, bake};
+use sightlines_visibility::{output, scene, sets};
+
+use super::cli::ShadowsArgs;
+use super::progress::Progress;
+use super::{Failure, machine};
+
+/// Where the results go.
+struct Outputs {
+    png: Option<PathBuf>,
+    exr: Option<PathBuf>,
+    /// One for each light.
+    sets: Vec<PathBuf>,
+}
+
+impl Outputs {
+    fn new(args: &ShadowsArgs, lights: usize) -> Self {
+        let nothing = args.output.is_none() && args.exr.is_none() && args.sets.is_none();
+        let sets = args.sets.iter().flat_map(|path| (0..lights).map(move |light| numbered(path, light, lights)));
+        Outputs {
+            png: args.output.clone().or_else(|| nothing.then(|| "shadow.png".into())),
+            exr: args.exr.clone(),
+            sets: sets.collect(),
+        }
+    }
+
+    fn paths(&self) -> impl Iterator<Item = &Path> {
+        self.png.iter().chain(&self.exr).chain(&self.sets).map(PathBuf::as_path)
+    }
+}
+
+/// `a.sets` of one light; `a.0.sets`, `a.1.sets`, … of several.
+fn numbered(path: &Path, light: usize, lights: usize) -> PathBuf {
+    if lights == 1 {
+        return path.to_owned();
+    }
+    let extension = path.extension().map_or_else(String::new, |e| format!(".{}", e.to_string_lossy()));
+    path.with_extension(format!("{light}{extension}"))
+}
+
+/// Bakes, writes and reports.
+pub(crate) fn run(args: &ShadowsArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    let setup = setup(args)?;
+    let outputs = Outputs::new(args, setup.lights.len());
+    outputs.paths().try_for_each(output::probe)?;
+    let backend = machine::open(&args.machine)?;
+    describe(&setup, out)?;
+    let start = Instant::now();
+    let mut request = setup.request();
+    let mut total: Option<(Share, f64)> = None;
+    for (number, &light) in setup.lights.iter().enumerate() {
+        request.light = light;
+        let progress = Progress::new(format!("light {} of {}", number + 1, setup.lights.len()));
+        let baked: Bake = bake(&*backend, &request, &mut |share| progress.show(share))?;
+        if let Some(path) = outputs.sets.get(number) {
+            sets::write(path, &baked)?;
+        }
+        let share = Share::of(&baked);
+        match &mut total {
+            Some((sum, cell)) => {
+                sum.add(&share);
+                *cell = cell.max(baked.cell);
+            }
+            None => total = Some((share, baked.cell)),
+        }
+    }
+    // A setup has a light.
+    let Some((share, cell)) = total else { return Ok(()) };
+    let time = start.elapsed();
+    if let Some(path) = &outputs.png {
+        write_png(path, &share, args.bits.into())?;
+    }
+    if let Some(path) = &outputs.exr {
+        write_exr(path, &share)?;
+    }
+    conclude(&backend.info(), &setup, &share, cell, time, out)?;
+    outputs.paths().try_for_each(|path| writeln!(out, "wrote      {}", path.display()))?;
+    Ok(())
+}
+
+fn setup(args: &ShadowsArgs) -> sightlines_visibility::Result<Setup> {
+    let settings = args.settings();
+    match (&args.source.scene_file, &args.source.model, args.source.scene) {
+        (Some(file), ..) => Setup::load(file, &settings),
+        (None, Some(model), _) => Setup::new(scene::load(model)?, &settings),
+        (None, None, generator) => Setup::new(scene::generate(generator.unwrap_or(scene::Generator::Palms)), &settings),
+    }
+}
+
+fn describe(setup: &Setup, out: &mut dyn Write) -> Result<(), Failure> {
+    let scene = &setup.scene;
+    let (parts, triangles) = (scene.parts.len(), scene.triangle_count());
+    let degenerate = scene.degenerate_count();
+    writeln!(
+        out,
+        "scene      {}: {triangles} triangles in {parts} parts, {degenerate} of them degenerate",
+        scene.name
+    )?;
+    writeln!(out, "units      {}, {} up", scene.units, setup.up)?;
+    writeln!(out, "bounds     {}", scene.bounds())?;
+    Ok(out.flush()?)
+}
+
+fn conclude(
+    info: &BackendInfo,
+    setup: &Setup,
+    share: &Share,
+    cell: f64,
+    time: Duration,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    let (lights, side) = (setup.lights.len(), share.resolution);
+    writeln!(out, "receivers  {side} x {side}, {} samples on each of {lights} lights", setup.samples)?;
+    writeln!(out, "grid       cells of {cell:.3e} scene units")?;
+    writeln!(out, "backend    {}", machine::describe(info))?;
+    writeln!(out, "time       {:.3} s", time.as_secs_f64())?;
+    Ok(writeln!(out, "visible    {:.6} of the light in the mean", share.mean())?)
+}

@@ -1,0 +1,71 @@
+//! Scenes without a file: a palm grove of the size that papers measure, and small ones whose shadows are known.
+//!
+//! They are the same bits on every host: positions come from integer hashes, f64 arithmetic and `libm` alone. All stand
+//! with y up, in metres, above the ground plane y = 0.
+
+mod palms;
+mod shapes;
+
+use super::{Mesh, Scene};
+
+/// A scene by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Generator {
+    /// Seven palms: trunks of stacked rings, curved fronds with leaflets.
+    Palms,
+    /// One cube in the air.
+    Box,
+    /// Two upright squares that cross.
+    Quads,
+    /// Two rows of columns that carry beams.
+    Colonnade,
+}
+
+impl Generator {
+    /// All of them.
+    pub const ALL: [Generator; 4] = [Generator::Palms, Generator::Box, Generator::Quads, Generator::Colonnade];
+
+    /// The name that command lines and scene files use.
+    pub fn name(self) -> &'static str {
+        match self {
+            Generator::Palms => "palms",
+            Generator::Box => "box",
+            Generator::Quads => "quads",
+            Generator::Colonnade => "colonnade",
+        }
+    }
+
+    /// The generator of that name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Generator::ALL.into_iter().find(|generator| generator.name() == name)
+    }
+}
+
+/// Makes a scene.
+pub fn generate(generator: Generator) -> Scene {
+    let parts = match generator {
+        Generator::Palms => palms::grove(),
+        Generator::Box => vec![shapes::cuboid("box", [-0.5, 0.5, -0.5], [0.5, 1.5, 0.5])],
+        Generator::Quads => shapes::quads(),
+        Generator::Colonnade => shapes::colonnade(),
+    };
+    Scene { name: generator.name().to_owned(), units: "metres", parts }
+}
+
+impl Mesh {
+    fn named(name: impl Into<String>) -> Self {
+        Mesh { name: name.into(), ..Mesh::default() }
+    }
+
+    /// Appends vertices; the answer is the index of the first.
+    fn vertices(&mut self, points: impl IntoIterator<Item = [f64; 3]>) -> u32 {
+        let first = self.vertices.len() as u32;
+        self.vertices.extend(points);
+        first
+    }
+
+    /// A quadrilateral of four vertices in turn.
+    fn quad(&mut self, [a, b, c, d]: [u32; 4]) {
+        self.triangles.extend([[a, b, c], [a, c, d]]);
+    }
+}

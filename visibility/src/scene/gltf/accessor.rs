@@ -1,0 +1,184 @@
+//! The numbers of a glTF file: buffers from the GLB's chunk, from `data:` URIs or from files beside it, read through
+//! accessors with every range checked. Sparse accessors and quantised positions are understood.
+
+use std::path::Path;
+
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
+use gltf::accessor::{DataType, Dimensions};
+use gltf::buffer::{Source, View};
+use gltf::{Accessor, Document};
+
+use super::REMEDY;
+use crate::error::{Place, Result};
+use crate::scene::{MAX_TRIANGLES, MAX_VERTICES, limit, load};
+use crate::vector::Vector;
+
+pub(super) struct Buffers<'a> {
+    path: &'a Path,
+    bytes: Vec<Vec<u8>>,
+}
+
+impl<'a> Buffers<'a> {
+    pub(super) fn load(path: &'a Path, document: &Document, mut blob: Option<Vec<u8>>) -> Result<Self> {
+        let mut bytes = Vec::new();
+        for buffer in document.buffers() {
+            let place = || Place::file(path).element(format!("buffer {}", buffer.index()));
+            let data = match buffer.source() {
+                Source::Bin => blob.take().ok_or_else(|| place().error("the file has no binary chunk", REMEDY))?,
+                Source::Uri(uri) => fetch(path, uri, place)?,
+            };
+            if data.len() < buffer.length() {
+                let what = format!("{} bytes are promised, {} are there", buffer.length(), data.len());
+                return Err(place().error(what, REMEDY));
+            }
+            bytes.push(data);
+        }
+        Ok(Buffers { path, bytes })
+    }
+
+    /// Points, from floats or (quantised) integers.
+    pub(super) fn positions(&self, accessor: &Accessor<'_>) -> Result<Vec<Vector>> {
+        self.expect(accessor, Dimensions::Vec3, accessor.data_type() != DataType::U32, "positions", MAX_VERTICES)?;
+        let largest = match accessor.data_type() {
+            DataType::I8 => 127.0,
+            DataType::U8 => 255.0,
+            DataType::I16 => 32767.0,
+            DataType::U16 => 65535.0,
+            DataType::U32 | DataType::F32 => 1.0,
+        };
+        let unit = |v: f64| if accessor.normalized() { (v / largest).max(-1.0) } else { v };
+        Ok(self.values(accessor)?.as_chunks::<3>().0.iter().map(|p| p.map(unit)).collect())
+    }
+
+    /// Corners of faces.
+    pub(super) fn indices(&self, accessor: &Accessor<'_>) -> Result<Vec<u32>> {
+        let whole = matches!(accessor.data_type(), DataType::U8 | DataType::U16 | DataType::U32);
+        self.expect(accessor, Dimensions::Scalar, whole, "indices", 3 * MAX_TRIANGLES)?;
+        Ok(self.values(accessor)?.into_iter().map(|v| v as u32).collect())
+    }
+
+    fn place(&self, accessor: &Accessor<'_>) -> Place {
+        Place::file(self.path).element(format!("accessor {}", accessor.index()))
+    }
+
+    fn expect(&self, accessor: &Accessor<'_>, shape: Dimensions, kind: bool, what: &str, most: usize) -> Result<()> {
+        if accessor.dimensions() != shape || !kind {
+            let found = format!("{:?} of {:?}", accessor.dimensions(), accessor.data_type());
+            return Err(self.place(accessor).error(format!("{what} cannot be {found}"), REMEDY));
+        }
+        limit(self.place(accessor), what, accessor.count(), most)
+    }
+
+    /// Every component, in order.
+    fn values(&self, accessor: &Accessor<'_>) -> Result<Vec<f64>> {
+        let shape = Shape { parts: accessor.dimensions().multiplicity(), kind: accessor.data_type() };
+        let broken = |what: String| self.place(accessor).error(what, REMEDY);
+        let mut values = match accessor.view() {
+            Some(view) => self.scan(&view, accessor.offset(), accessor.count(), shape).map_err(broken)?,
+            None => vec![0.0; accessor.count() * shape.parts],
+        };
+        let Some(sparse) = accessor.sparse() else { return Ok(values) };
+        let (indices, fresh) = (sparse.indices(), sparse.values());
+        let kind = match indices.index_type() {
+            gltf::accessor::sparse::IndexType::U8 => DataType::U8,
+            gltf::accessor::sparse::IndexType::U16 => DataType::U16,
+            gltf::accessor::sparse::IndexType::U32 => DataType::U32,
+        };
+        let count = sparse.count();
+        limit(self.place(accessor), "sparse values", count, accessor.count())?;
+        let indices = self.scan(&indices.view(), indices.offset(), count, Shape { parts: 1, kind }).map_err(broken)?;
+        let fresh = self.scan(&fresh.view(), fresh.offset(), count, shape).map_err(broken)?;
+        for (index, fresh) in indices.into_iter().zip(fresh.chunks(shape.parts)) {
+            let start = index as usize * shape.parts;
+            let Some(old) = values.get_mut(start..start + shape.parts) else {
+                return Err(broken(format!("sparse index {index} is beyond the {} elements", accessor.count())));
+            };
+            old.copy_from_slice(fresh);
+        }
+        Ok(values)
+    }
+
+    /// `count` elements of a view, from `offset` on.
+    fn scan(&self, view: &View<'_>, offset: usize, count: usize, shape: Shape) -> Result<Vec<f64>, String> {
+        let outside = || format!("its {count} elements reach beyond buffer view {}", view.index());
+        let element = shape.parts * shape.kind.size();
+        let stride = view.stride().unwrap_or(element);
+        let bytes = &self.bytes[view.buffer().index()];
+        let end = view.offset().checked_add(view.length());
+        let bytes = end.and_then(|end| bytes.get(view.offset()..end)).ok_or_else(outside)?;
+        let last = count.saturating_sub(1).checked_mul(stride).and_then(|last| last.checked_add(offset));
+        let needed = last.and_then(|last| last.checked_add(if count == 0 { 0 } else { element }));
+        if needed.is_none_or(|needed| needed > bytes.len()) {
+            return Err(outside());
+        }
+        let starts = (0..count).map(|i| offset + i * stride);
+        let size = shape.kind.size();
+        let part = |at: usize| shape.kind.value(&bytes[at..at + size]);
+        Ok(starts.flat_map(|at| (0..shape.parts).map(move |k| at + k * size)).map(part).collect())
+    }
+}
+
+/// How an element is laid out.
+#[derive(Clone, Copy)]
+struct Shape {
+    parts: usize,
+    kind: DataType,
+}
+
+/// Decoding of one component, little-endian.
+trait Component {
+    fn value(self, bytes: &[u8]) -> f64;
+}
+
+impl Component for DataType {
+    fn value(self, bytes: &[u8]) -> f64 {
+        match (self, bytes) {
+            (DataType::I8, &[a]) => (a as i8).into(),
+            (DataType::U8, &[a]) => a.into(),
+            (DataType::I16, &[a, b]) => i16::from_le_bytes([a, b]).into(),
+            (DataType::U16, &[a, b]) => u16::from_le_bytes([a, b]).into(),
+            (DataType::U32, &[a, b, c, d]) => u32::from_le_bytes([a, b, c, d]).into(),
+            (DataType::F32, &[a, b, c, d]) => f32::from_le_bytes([a, b, c, d]).into(),
+            _ => unreachable!("components are cut to their size"),
+        }
+    }
+}
+
+/// The bytes that a URI names: in itself, or in a file beside the scene.
+fn fetch(path: &Path, uri: &str, place: impl Fn() -> Place) -> Result<Vec<u8>> {
+    if let Some(data) = uri.strip_prefix("data:") {
+        let coded = data.split_once(";base64,").map(|(_, coded)| coded);
+        let coded = coded.ok_or_else(|| place().error("a data URI that is not base64", REMEDY))?;
+        return BASE64_STANDARD.decode(coded).map_err(|e| place().error(format!("its base64: {e}"), REMEDY));
+    }
+    if uri.contains("://") {
+        let remedy = "put the buffer beside the scene, or embed it";
+        return Err(place().error(format!("`{uri}` is not on this machine"), remedy));
+    }
+    let name = percent_decoded(uri).ok_or_else(|| place().error(format!("`{uri}` is not a URI"), REMEDY))?;
+    load::read(&path.with_file_name(name))
+}
+
+fn percent_decoded(uri: &str) -> Option<String> {
+    let mut pieces = uri.split('%');
+    let mut bytes = pieces.next()?.as_bytes().to_vec();
+    for piece in pieces {
+        bytes.push(u8::from_str_radix(piece.get(..2)?, 16).ok()?);
+        bytes.extend_from_slice(&piece.as_bytes()[2..]);
+    }
+    String::from_utf8(bytes).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::percent_decoded;
+
+    #[test]
+    fn uris_are_decoded() {
+        assert_eq!(percent_decoded("a%20b%C3%A9.bin").as_deref(), Some("a bé.bin"));
+        for bad in ["%", "%2", "%zz", "%ff"] {
+            assert_eq!(percent_decoded(bad), None, "{bad}");
+        }
+    }
+}

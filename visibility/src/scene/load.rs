@@ -1,0 +1,66 @@
+//! Mesh files: which format a file has, and reading it whole.
+//!
+//! The content decides where it says what it is (PLY and GLB have a magic, glTF is a JSON object), else the extension.
+
+use std::ffi::OsStr;
+use std::fs;
+use std::path::Path;
+
+use super::{MAX_FILE_BYTES, Scene, gltf, obj, ply};
+use crate::error::{Error, Place, Result};
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Format {
+    Obj,
+    Gltf,
+    Ply,
+}
+
+/// Reads a mesh file: Wavefront OBJ, glTF 2.0 (`.gltf` or `.glb`, buffers embedded or beside it), or PLY (ascii or binary).
+///
+/// Polygons become triangles; points, lines, materials, skins and animations are left out; glTF instances are copies.
+///
+/// # Errors
+///
+/// A file that is missing, broken, empty or too large, with the line or the element that is to blame.
+pub fn load(path: &Path) -> Result<Scene> {
+    let bytes = read(path)?;
+    let scene = match format(path, &bytes)? {
+        Format::Obj => obj::read(path, &bytes)?,
+        Format::Gltf => gltf::read(path, &bytes)?,
+        Format::Ply => ply::read(path, &bytes)?,
+    };
+    scene.check(path)
+}
+
+/// A file's bytes, if there are not too many.
+pub(super) fn read(path: &Path) -> Result<Vec<u8>> {
+    let failed = |source| Error::read(path, source);
+    let size = fs::metadata(path).map_err(failed)?.len();
+    if size > MAX_FILE_BYTES {
+        let what = format!("{size} bytes, at most {MAX_FILE_BYTES} are read");
+        return Err(Place::file(path).error(what, "simplify the mesh, or split it"));
+    }
+    fs::read(path).map_err(failed)
+}
+
+/// The file's own name, which is how a scene is called.
+pub(super) fn name(path: &Path) -> String {
+    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
+}
+
+fn format(path: &Path, bytes: &[u8]) -> Result<Format> {
+    let text = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes).trim_ascii_start();
+    if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r\n") {
+        return Ok(Format::Ply);
+    }
+    if bytes.starts_with(b"glTF") || text.starts_with(b"{") {
+        return Ok(Format::Gltf);
+    }
+    match path.extension().and_then(OsStr::to_str).map(str::to_ascii_lowercase).as_deref() {
+        Some("obj") => Ok(Format::Obj),
+        Some("gltf" | "glb") => Ok(Format::Gltf),
+        Some("ply") => Ok(Format::Ply),
+        _ => Err(Place::file(path).error("neither OBJ, glTF nor PLY", "export the mesh in one of these formats")),
+    }
+}

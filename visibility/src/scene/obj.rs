@@ -1,0 +1,121 @@
+//! Wavefront OBJ, through `tobj`. Only positions and faces matter; materials are not looked for.
+//!
+//! `tobj` would refuse a mesh for its texture coordinates and make a face of a polyline, and tells what is wrong but not
+//! where. So it is given the [`statements`] that matter, through a reader that knows how far it has come.
+
+use std::io::{self, BufRead, Read};
+use std::path::Path;
+
+use tobj::{LoadError, LoadOptions};
+
+use super::{MAX_VERTICES, Mesh, Scene, limit, load, polygon};
+use crate::error::{Error, Place, Result};
+
+const REMEDY: &str = "mend the line, or export the mesh again";
+
+pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Scene> {
+    let text = String::from_utf8_lossy(bytes);
+    let mut lines = Lines { statements: statements(&text), number: 0, text: String::new(), used: 0 };
+    let options = LoadOptions { ignore_points: true, ignore_lines: true, ..LoadOptions::default() };
+    let (models, _) = tobj::load_obj_buf(&mut lines, &options, |_| Ok((Vec::new(), Default::default()))).map_err(
+        |error| match error {
+            LoadError::FaceVertexOutOfBounds => out_of_range(path, &text),
+            other => Place::line(path, lines.number).error(other.to_string(), REMEDY),
+        },
+    )?;
+    let parts = models.into_iter().map(|model| part(path, model)).collect::<Result<_>>()?;
+    Ok(Scene { name: load::name(path), units: "units of the file", parts })
+}
+
+fn part(path: &Path, model: tobj::Model) -> Result<Mesh> {
+    let tobj::Model { mesh, name } = model;
+    let place = || Place::file(path).element(format!("mesh `{name}`"));
+    let (vertices, _) = mesh.positions.as_chunks::<3>();
+    limit(place(), "vertices", vertices.len(), MAX_VERTICES)?;
+    let mut triangles = Vec::with_capacity(mesh.indices.len() / 3);
+    if mesh.face_arities.is_empty() {
+        triangles.extend_from_slice(mesh.indices.as_chunks::<3>().0);
+    }
+    let mut rest = mesh.indices.as_slice();
+    for &arity in &mesh.face_arities {
+        let (corners, after) = rest.split_at(arity as usize);
+        polygon::triangulate(place, vertices, corners, &mut triangles)?;
+        rest = after;
+    }
+    Ok(Mesh { vertices: vertices.to_vec(), triangles, name })
+}
+
+/// What matters of a file, one line each with the number of its first line: `v` with its coordinates (and weight), `f`
+/// with its vertices, and the names of objects and groups. A backslash at its end continues a line.
+fn statements(text: &str) -> impl Iterator<Item = (usize, String)> {
+    let mut lines = text.lines().enumerate();
+    std::iter::from_fn(move || {
+        let (number, line) = lines.next()?;
+        let mut statement = line.to_owned();
+        while let Some(start) = statement.trim_end().strip_suffix('\\') {
+            statement = format!("{start} {}", lines.next().map_or("", |(_, line)| line));
+        }
+        Some((number + 1, essence(&statement)))
+    })
+}
+
+fn essence(statement: &str) -> String {
+    let words: Vec<&str> = statement.split_whitespace().collect();
+    match words.as_slice() {
+        ["v", x, y, z, w] => ["v", x, y, z, w].join(" "),
+        ["v", rest @ ..] => ["v"].iter().chain(rest.iter().take(3)).copied().collect::<Vec<_>>().join(" "),
+        ["f", corners @ ..] => {
+            let vertex = |corner: &&str| corner.split('/').next().unwrap_or_default().to_owned();
+            ["f".to_owned()].into_iter().chain(corners.iter().map(vertex)).collect::<Vec<_>>().join(" ")
+        }
+        ["o" | "g", ..] => statement.trim().to_owned(),
+        _ => String::new(),
+    }
+}
+
+/// The first face that uses a vertex which the file does not have.
+fn out_of_range(path: &Path, text: &str) -> Error {
+    let count = statements(text).filter(|(_, line)| line.starts_with("v ")).count() as i64;
+    let mut so_far = 0;
+    for (number, line) in statements(text) {
+        so_far += i64::from(line.starts_with("v "));
+        let corners = line.strip_prefix("f ").unwrap_or_default().split(' ').filter_map(|word| word.parse().ok());
+        if let Some(bad) = { corners }.find(|&i: &i64| i == 0 || i > count || i < -so_far) {
+            let what = format!("the face uses vertex {bad}, and the file has {count} vertices");
+            return Place::line(path, number).error(what, REMEDY);
+        }
+    }
+    Place::file(path).error("a face uses a vertex that comes after its object", "put every `v` before the faces")
+}
+
+/// The statements of a file as a reader.
+struct Lines<I> {
+    statements: I,
+    /// Where the statement in `text` starts.
+    number: usize,
+    text: String,
+    used: usize,
+}
+
+impl<I: Iterator<Item = (usize, String)>> Read for Lines<I> {
+    fn read(&mut self, out: &mut [u8]) -> io::Result<usize> {
+        let length = self.fill_buf()?.read(out)?;
+        self.consume(length);
+        Ok(length)
+    }
+}
+
+impl<I: Iterator<Item = (usize, String)>> BufRead for Lines<I> {
+    fn fill_buf(&mut self) -> io::Result<&[u8]> {
+        if self.used == self.text.len()
+            && let Some((number, statement)) = self.statements.next()
+        {
+            (self.number, self.text, self.used) = (number, statement + "\n", 0);
+        }
+        Ok(&self.text.as_bytes()[self.used..])
+    }
+
+    fn consume(&mut self, amount: usize) {
+        self.used += amount;
+    }
+}

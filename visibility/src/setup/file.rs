@@ -1,0 +1,183 @@
+//! Scene files, in TOML.
+//!
+//! ```toml
+//! model = "model.glb"        # beside this file; or: generator = "palms"
+//! up = "y"                   # or "z"
+//! light_size = 0.4           # side of the default light in radii of the scene, where no light is given
+//! resolution = 512           # texels a side of the receiver
+//! samples = 1024             # of each light: 32, 64, 128, 256, 512 or 1024
+//!
+//! [[light]]                  # any number; each shines along u × v
+//! corner = [-1.0, 6.0, -1.0]
+//! u = [2.0, 0.0, 0.0]
+//! v = [0.0, 0.0, 2.0]
+//!
+//! [receiver]
+//! corner = [-4.0, 0.0, -4.0]
+//! u = [8.0, 0.0, 0.0]        # columns of the image
+//! v = [0.0, 0.0, 8.0]        # rows of the image
+//! ```
+//!
+//! Everything but the model or generator may be left out.
+
+use std::path::Path;
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::{
+    LIGHT_SIZE, MAX_LIGHTS, RESOLUTION, Settings, Setup, Up, check_light, check_rect, checked_light_size,
+    checked_resolution, checked_samples, surround,
+};
+use crate::error::{Error, Place, Result};
+use crate::scene::{self, Generator, Scene, limit};
+use crate::shadows::Rect;
+
+/// Largest scene file, in bytes: it holds a few numbers.
+const MAX_BYTES: u64 = 1 << 20;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    model: Option<Spanned<String>>,
+    generator: Option<Spanned<String>>,
+    up: Option<Spanned<String>>,
+    light_size: Option<Spanned<f64>>,
+    resolution: Option<Spanned<u32>>,
+    samples: Option<Spanned<u32>>,
+    #[serde(default)]
+    light: Vec<Spanned<Corner>>,
+    receiver: Option<Spanned<Corner>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Corner {
+    corner: [f64; 3],
+    u: [f64; 3],
+    v: [f64; 3],
+}
+
+impl Corner {
+    fn rect(&self) -> Rect {
+        Rect { corner: self.corner, u: self.u, v: self.v }
+    }
+}
+
+/// A file's text, for lines.
+struct Source<'a> {
+    path: &'a Path,
+    text: &'a str,
+}
+
+impl Source<'_> {
+    fn line(&self, offset: usize) -> Place {
+        let before = &self.text.as_bytes()[..offset.min(self.text.len())];
+        Place::line(self.path, 1 + before.iter().filter(|&&b| b == b'\n').count())
+    }
+
+    /// Where a value stands, called by its key.
+    fn at<T>(&self, key: &str, value: &Spanned<T>) -> Place {
+        self.line(value.span().start).element(key)
+    }
+
+    /// The place and value of a setting: a caller's goes before the file's, the file's before the default.
+    fn setting<T: Copy>(&self, key: &str, caller: Option<T>, file: &Option<Spanned<T>>, default: T) -> (Place, T) {
+        match (caller, file) {
+            (None, Some(value)) => (self.at(key, value), *value.get_ref()),
+            (caller, _) => (Place::default().element(key), caller.unwrap_or(default)),
+        }
+    }
+}
+
+pub(super) fn load(path: &Path, settings: &Settings) -> Result<Setup> {
+    let text = read(path)?;
+    let source = Source { path, text: &text };
+    let file: File = toml::from_str(&text).map_err(|e| {
+        let place = e.span().map_or_else(|| Place::file(path), |span| source.line(span.start));
+        place.error(e.message(), "see the scene file's keys in the documentation of `sightlines shadows --help`")
+    })?;
+    let (place, resolution) = source.setting("resolution", settings.resolution, &file.resolution, RESOLUTION);
+    let resolution = checked_resolution(place, resolution)?;
+    let (place, samples) = source.setting("samples", settings.samples, &file.samples, 1024);
+    let samples = checked_samples(place, samples, resolution)?;
+    let up = up(&source, settings, &file)?;
+    let light_size = light_size(&source, settings, &file)?;
+    let scene = model(&source, &file)?;
+    let (light, receiver) = surround(&scene, up, light_size);
+    let mut setup = Setup { scene, up, lights: vec![light], receiver, resolution, samples };
+    place_rects(&source, &file, &mut setup)?;
+    Ok(setup)
+}
+
+fn read(path: &Path) -> Result<String> {
+    let failed = |source| Error::read(path, source);
+    let size = std::fs::metadata(path).map_err(failed)?.len();
+    if size > MAX_BYTES {
+        return Err(Place::file(path).error(format!("{size} bytes are no scene file"), "name the mesh as the model"));
+    }
+    std::fs::read_to_string(path).map_err(failed)
+}
+
+fn up(source: &Source<'_>, settings: &Settings, file: &File) -> Result<Up> {
+    match (settings.up, &file.up) {
+        (Some(up), _) => Ok(up),
+        (None, None) => Ok(Up::default()),
+        (None, Some(name)) => Up::from_name(name.get_ref()).ok_or_else(|| {
+            source.at("up", name).error(format!("`{}` is no axis", name.get_ref()), "write \"y\" or \"z\"")
+        }),
+    }
+}
+
+fn light_size(source: &Source<'_>, settings: &Settings, file: &File) -> Result<f64> {
+    let (place, size) = source.setting("light_size", settings.light_size, &file.light_size, LIGHT_SIZE);
+    let size = checked_light_size(place.clone(), size)?;
+    if !file.light.is_empty() && (settings.light_size.is_some() || file.light_size.is_some()) {
+        return Err(place.error("the lights are given, with their own sizes", "leave out the size, or the lights"));
+    }
+    Ok(size)
+}
+
+fn model(source: &Source<'_>, file: &File) -> Result<Scene> {
+    match (&file.model, &file.generator) {
+        (Some(model), None) => scene::load(&source.path.parent().unwrap_or(Path::new("")).join(model.get_ref())),
+        (None, Some(name)) => {
+            let names = Generator::ALL.map(Generator::name).join(", ");
+            let known = Generator::from_name(name.get_ref());
+            known.map(scene::generate).ok_or_else(|| {
+                let what = format!("there is no `{}`", name.get_ref());
+                source.at("generator", name).error(what, format!("write one of {names}"))
+            })
+        }
+        (Some(_), Some(name)) => {
+            Err(source.at("generator", name).error("there is a model already", "leave out one of the two"))
+        }
+        (None, None) => {
+            let remedy = "add `model = \"FILE\"` or `generator = \"palms\"` at its top";
+            Err(Place::file(source.path).error("it names no scene", remedy))
+        }
+    }
+}
+
+/// Puts the file's lights and receiver in place of the default ones, and checks them all.
+fn place_rects(source: &Source<'_>, file: &File, setup: &mut Setup) -> Result<()> {
+    let whole = || Place::file(source.path);
+    limit(whole(), "lights", file.light.len(), MAX_LIGHTS)?;
+    if let Some(receiver) = &file.receiver {
+        setup.receiver = receiver.get_ref().rect();
+        check_rect(&source.at("receiver", receiver), &setup.receiver)?;
+    }
+    if !file.light.is_empty() {
+        setup.lights = file.light.iter().map(|light| light.get_ref().rect()).collect();
+    }
+    for (index, rect) in setup.lights.iter().enumerate() {
+        let place = match (file.light.get(index), &file.receiver) {
+            (Some(light), _) => source.at("light", light),
+            (None, Some(receiver)) => source.at("receiver", receiver),
+            (None, None) => whole(),
+        };
+        check_rect(&place, rect)?;
+        check_light(&place, rect, &setup.receiver, &setup.scene)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,77 @@
+//! Soft shadows of area lights: for each texel of a receiver, the set of light samples that the scene hides from it.
+//!
+//! A [`Request`] is geometry and numbers, nothing of files or defaults; a [`Bake`] is the answer, exact on the quantised
+//! scene. Bit `i % 32` of word `i / 32` of a texel is set iff sample `i` is hidden from it.
+
+use sightlines_backend::Backend;
+
+use crate::error::{Place, Result};
+
+/// Numbers of light samples that can be baked.
+pub const SAMPLES: [u32; 6] = [32, 64, 128, 256, 512, 1024];
+
+/// Most texels a side.
+pub const MAX_RESOLUTION: u32 = 8192;
+
+/// Most words of all sets together: 2 GiB.
+pub const MAX_WORDS: u64 = 1 << 29;
+
+/// A rectangle in space: `corner + s u + t v` for s and t in [0, 1], with u and v at right angles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rect {
+    /// The point s = t = 0.
+    pub corner: [f64; 3],
+    /// First side. On a receiver it is the direction of the columns of the image.
+    pub u: [f64; 3],
+    /// Second side. On a receiver it is the direction of the rows of the image.
+    pub v: [f64; 3],
+}
+
+/// What to bake.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Request {
+    /// Everything that casts a shadow, in scene units.
+    pub triangles: Vec<[[f64; 3]; 3]>,
+    /// The light; it shines along u × v.
+    pub light: Rect,
+    /// The receiver, sampled at the centres of `resolution` × `resolution` texels.
+    pub receiver: Rect,
+    /// Texels a side of the receiver.
+    pub resolution: u32,
+    /// Samples of the light: one of [`SAMPLES`].
+    pub samples: u32,
+}
+
+/// The hidden-sample sets of a receiver.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bake {
+    /// Texels a side.
+    pub resolution: u32,
+    /// Samples of the light.
+    pub samples: u32,
+    /// Words of one texel's set.
+    pub words: u32,
+    /// The sets, row after row; `words` words a texel.
+    pub masks: Vec<u32>,
+    /// Where the samples stand, in grid cells in the frame of the light.
+    pub samples_uv: Vec<[i32; 2]>,
+    /// Side of a cell of the grid, in scene units.
+    pub cell: f64,
+}
+
+impl Bake {
+    /// Samples that each texel sees, row after row.
+    pub fn visible(&self) -> Vec<u32> {
+        let hidden = |set: &[u32]| set.iter().map(|word| word.count_ones()).sum::<u32>();
+        self.masks.chunks(self.words.max(1) as usize).map(|set| self.samples - hidden(set)).collect()
+    }
+}
+
+/// Bakes the sets on `backend`; `progress` is called with the share of the work that is done, from 0 to 1.
+///
+/// # Errors
+///
+/// A request whose geometry does not fit the grid, and whatever the backend refuses.
+pub fn bake(_backend: &dyn Backend, _request: &Request, _progress: &mut dyn FnMut(f32)) -> Result<Bake> {
+    Err(Place::default().error("this build bakes no shadows yet", "use a later version"))
+}
