@@ -51,8 +51,8 @@ pub fn bless(exe: &Path, folder: &Path, kernels: &[Kernel], plan: &Plan, runs: &
     let path = costs::path(folder);
     let stored = snapshot::read(&path)?;
     if stored.as_deref() != Some(present.as_str()) {
-        let what = stored.and_then(|s| costs::compare(&s, &present)).map_or_else(|| "new".into(), |t| summary(&t));
-        notes.push(format!("blessed machine-costs: {what}"));
+        let what = stored.and_then(|s| costs::compare(&s, &present)).map_or_else(|| " new".into(), |t| summary(&t));
+        notes.push(format!("blessed machine-costs:{what}"));
         writings.push(Writing { path, text: present });
     }
     if !writings.is_empty() {
@@ -68,21 +68,21 @@ pub fn bless(exe: &Path, folder: &Path, kernels: &[Kernel], plan: &Plan, runs: &
 fn changed(folder: &Path, selected: &Selected, text: &str, writings: &mut Vec<Writing>) -> Result<Option<String>> {
     let path = snapshot::path(folder, &selected.kernel, &selected.case.name);
     let what = match snapshot::read(&path)? {
-        None => "new".to_owned(),
+        None => " new".to_owned(),
         Some(stored) => match snapshot::compare(&stored, text) {
             None => return Ok(None),
             Some(table) => summary(&table),
         },
     };
     writings.push(Writing { path, text: text.to_owned() });
-    Ok(Some(format!("blessed {}: {what}", selected.name())))
+    Ok(Some(format!("blessed {}:{what}", selected.name())))
 }
 
 fn summary(table: &Table) -> String {
-    let rows = table.rows.iter().map(|r| format!("{} {} {} -> {}", r.buffer, r.index, r.expected, r.got));
-    let mut text = rows.collect::<Vec<_>>().join("; ");
+    let rows = table.rows.iter().map(|r| format!("\n  {} {}: {} -> {}", r.buffer, r.index, r.expected, r.got));
+    let mut text: String = rows.collect();
     if table.total > table.rows.len() as u64 {
-        text.push_str(&format!("; … {} more", table.total - table.rows.len() as u64));
+        text.push_str(&format!("\n  … {} more", table.total - table.rows.len() as u64));
     }
     text
 }

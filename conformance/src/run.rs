@@ -138,12 +138,12 @@ impl<'a> Judge<'a> {
             (Ok(expected), Some(outputs)) => diff::oracle(&job.reads, expected, outputs),
             _ => None,
         };
-        let counted = outcomes.iter().filter_map(|o| o.as_ref().ok()?.first());
-        let rendered = counted.filter(|p| p.identity.backend == "cpu").map(|pass| {
+        let mut passes = outcomes.iter().filter_map(|o| o.as_ref().ok()?.first());
+        let counted = passes.find(|p| p.identity.backend == "cpu").filter(|_| selected.stored != Stored::Never);
+        let rendered = counted.map(|pass| {
             let name = (selected.kernel.as_str(), selected.case.name.as_str());
             snapshot::render(name, job, &pass.outputs, &selected.case.probes, pass.costs.as_ref())
         });
-        let rendered = rendered.last().filter(|_| selected.stored != Stored::Never);
         let stored = stored(rules, selected);
         Judge { rules, selected, job, reference, expected, reference_table, rendered, stored }
     }

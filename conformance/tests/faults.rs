@@ -20,11 +20,14 @@ const MASK: &str = "0x55555555u";
 
 type Outcome = Result<(), String>;
 
+/// Makes one fault and looks at what comes of it.
+type Fault = fn(&Bench) -> Outcome;
+
 fn main() -> ExitCode {
     let args = Arguments::from_args();
     let found = Fleet::find(exe(), &Asked { cpu: true, wgpu: true, ..Asked::default() });
     let gpu = found.ok().and_then(|f| f.machines.into_iter().find(|m| m.identity.backend == "wgpu")).map(|m| m.name);
-    let faults: [(&str, fn(&Bench) -> Outcome); 9] = [
+    let faults: [(&str, Fault); 9] = [
         ("no_fault", no_fault),
         ("bit_of_the_wgsl", wgsl),
         ("bit_of_the_oracle", oracle),
@@ -57,7 +60,7 @@ fn exe() -> &'static Path {
     Path::new(env!("CARGO_BIN_EXE_sightlines-conformance"))
 }
 
-fn tried(machine: &str, name: &str, fault: fn(&Bench) -> Outcome) -> Result<(), Failed> {
+fn tried(machine: &str, name: &str, fault: Fault) -> Result<(), Failed> {
     let bench = Bench::new(machine, name).map_err(|e| e.to_string())?;
     fault(&bench).map_err(Failed::from)
 }
@@ -240,14 +243,13 @@ fn endless_loop(bench: &Bench) -> Outcome {
 
 /// Faults of the suite's own files: an orphan, a missing snapshot, a bad expectation.
 fn suite_faults() -> Vec<Trial> {
-    let faults: [(&str, fn(&Bench) -> Outcome); 4] = [
+    let faults: [(&str, Fault); 4] = [
         ("snapshot_without_a_case", orphan),
         ("case_without_a_snapshot", missing),
         ("unexpected_pass", unexpected_pass),
         ("expected_failure", expected_failure),
     ];
-    let trial =
-        |(name, fault): (&'static str, fn(&Bench) -> Outcome)| Trial::test(name, move || tried("cpu", name, fault));
+    let trial = |(name, fault): (&'static str, Fault)| Trial::test(name, move || tried("cpu", name, fault));
     faults.into_iter().map(trial).collect()
 }
 
