@@ -42,7 +42,7 @@ type Step = fn(&Statement) -> Vec<Vec<Statement>>;
 
 /// Nothing, or one of its blocks.
 fn dropped(statement: &Statement) -> Vec<Vec<Statement>> {
-    if bounds_a_loop(&statement.tail) {
+    if must_stay(&statement.tail) {
         return Vec::new();
     }
     std::iter::once(Vec::new()).chain(statement.blocks.iter().cloned()).collect()
@@ -53,7 +53,7 @@ fn simplified(statement: &Statement) -> Vec<Vec<Statement>> {
     let mut candidates = Vec::new();
     for at in 0..=statement.heads.len() {
         let text = statement.heads.get(at).unwrap_or(&statement.tail);
-        if bounds_a_loop(text) {
+        if must_stay(text) {
             continue;
         }
         for smaller in parts(text) {
@@ -65,16 +65,22 @@ fn simplified(statement: &Statement) -> Vec<Vec<Statement>> {
     candidates
 }
 
-/// Whether a loop could run for ever without this text.
-fn bounds_a_loop(text: &str) -> bool {
+/// Whether the program might not end, or might race, without this text.
+fn must_stay(text: &str) -> bool {
     let counts = text.starts_with('k') && text.ends_with("++;");
-    counts || ["break if", "while ", "for "].iter().any(|head| text.starts_with(head))
+    counts
+        || text.contains("lane_")
+        || text.contains("&mine[")
+        || ["break if", "while ", "for "].iter().any(|head| text.starts_with(head))
 }
 
 /// The text with one call, parenthesis or index replaced by something it contains, outermost first.
 fn parts(text: &str) -> Vec<String> {
     let mut candidates = Vec::new();
-    for (open, c) in text.char_indices().filter(|&(_, c)| c == '(' || c == '[') {
+    // The elements that an invocation may write are its own: they stay.
+    let shared = ["out[", "ring[", "pond["].iter().any(|head| text.starts_with(head));
+    let first = if shared { text.find("= ").unwrap_or(0) } else { 0 };
+    for (open, c) in text.char_indices().filter(|&(at, c)| at >= first && (c == '(' || c == '[')) {
         let Some(close) = matching(text, open) else { continue };
         let inner = &text[open + 1..close];
         let name = |c: char| c.is_alphanumeric() || "_<>".contains(c);
@@ -82,7 +88,11 @@ fn parts(text: &str) -> Vec<String> {
         let end = if c == '(' { close + 1 } else { close };
         let mut replacements: Vec<String> = split(inner).iter().map(|p| p.trim().to_owned()).collect();
         replacements.extend(groups(inner).into_iter().map(str::to_owned));
-        replacements.extend(if c == '[' { vec!["0u".to_owned()] } else { vec!["lane".to_owned(), "true".to_owned()] });
+        replacements.extend(match (c, inner) {
+            ('[', "lane" | "own") => vec![],
+            ('[', _) => vec!["0u".to_owned()],
+            _ => vec!["lane".to_owned(), "true".to_owned()],
+        });
         let shorter = |r: &String| r.len() < end - start;
         let whole = |r: String| format!("{}{r}{}", &text[..start], &text[end..]);
         candidates.extend(replacements.into_iter().filter(shorter).map(whole));
