@@ -55,9 +55,23 @@ package! {
         sat,
         scan;
     shared:
+        angle,
         block_scan,
         crossing,
+        direction,
+        divide,
+        fixed_point,
+        fraction,
+        hash,
+        influence,
+        line,
+        line_cell,
+        mask,
+        orientation,
         permute,
+        raster,
+        root,
+        soft_float,
         wide;
 }
 
