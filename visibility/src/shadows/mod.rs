@@ -3,9 +3,12 @@
 //! A [`Request`] is geometry and numbers, nothing of files or defaults; a [`Bake`] is the answer, exact on the quantised
 //! scene. Bit `i % 32` of word `i / 32` of a texel is set iff sample `i` is hidden from it.
 
+mod compose;
+pub mod snap;
+
 use sightlines_backend::Backend;
 
-use crate::error::{Place, Result};
+use crate::error::Result;
 
 /// Numbers of light samples that can be baked.
 pub const SAMPLES: [u32; 6] = [32, 64, 128, 256, 512, 1024];
@@ -71,7 +74,44 @@ impl Bake {
 ///
 /// # Errors
 ///
-/// A request whose geometry does not fit the grid, and whatever the backend refuses.
-pub fn bake(_backend: &dyn Backend, _request: &Request, _progress: &mut dyn FnMut(f32)) -> Result<Bake> {
-    Err(Place::default().error("this build bakes no shadows yet", "use a later version"))
+/// A request whose geometry does not fit the grid ([`snap::snap`] lists why), and whatever the backend refuses.
+pub fn bake(backend: &dyn Backend, request: &Request, progress: &mut dyn FnMut(f32)) -> Result<Bake> {
+    let scene = snap::snap(request)?;
+    let sets = compose::sets(backend, &scene, progress)?;
+    let (words, resolution) = (scene.samples.words(), request.resolution);
+    let samples_uv = (0..request.samples).map(|sample| scene.samples.at(sample)).map(|[x, y, _]| [x, y]).collect();
+    let masks = upright(sets, words as usize, resolution as usize, scene.mirrored);
+    Ok(Bake { resolution, samples: request.samples, words, masks, samples_uv, cell: scene.cell })
+}
+
+/// The sets in the order of the image, whose columns and rows may run against the grid's axes.
+fn upright(mut sets: Vec<u32>, words: usize, side: usize, [columns, rows]: [bool; 2]) -> Vec<u32> {
+    for row in sets.chunks_mut(words * side).filter(|_| columns) {
+        for column in 0..side / 2 {
+            let (left, right) = row.split_at_mut((side - 1 - column) * words);
+            left[column * words..(column + 1) * words].swap_with_slice(&mut right[..words]);
+        }
+    }
+    for row in (0..side / 2).filter(|_| rows) {
+        let (upper, lower) = sets.split_at_mut((side - 1 - row) * side * words);
+        upper[row * side * words..(row + 1) * side * words].swap_with_slice(&mut lower[..side * words]);
+    }
+    sets
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn mirrored_axes_are_turned() {
+        // Two words a texel, three texels a side: texel (column, row) holds 10 row + column, twice.
+        let sets: Vec<u32> = (0..9).flat_map(|i| [10 * (i / 3) + i % 3; 2]).collect();
+        let at = |sets: &[u32], column: usize, row: usize| sets[2 * (3 * row + column)];
+        let turned = upright(sets.clone(), 2, 3, [true, true]);
+        assert_eq!((at(&turned, 0, 0), at(&turned, 2, 0), at(&turned, 1, 1), at(&turned, 0, 2)), (22, 20, 11, 2));
+        assert_eq!(upright(sets.clone(), 2, 3, [false, false]), sets);
+        let columns = upright(sets.clone(), 2, 3, [true, false]);
+        assert_eq!((at(&columns, 0, 0), at(&columns, 2, 2)), (2, 20));
+    }
 }

@@ -1,0 +1,314 @@
+//! From scene units to the grid: the one place where a scene is rounded.
+//!
+//! Axes follow the light: x along its first side, y along its second, z where it shines, the light at z = 0. The side of a
+//! cell is the distance of two texel centres divided by the largest whole number that lets everything fit, so receivers
+//! are exact. Vertices go to the nearest grid point; the samples' distance and the receivers' height become whole cells.
+//! After this only integers decide ([`sightlines_kernels::grid`] has the definition).
+
+use sightlines_kernels::grid::{Receivers, Samples, Triangle, XY, Z};
+
+use super::{Rect, Request};
+use crate::error::{Place, Result};
+
+type Vector = [f64; 3];
+
+/// A scene on the grid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Snapped {
+    /// The light's samples.
+    pub samples: Samples,
+    /// The receivers, in ascending x and y.
+    pub receivers: Receivers,
+    /// Whether columns of the image run against x, and rows against y.
+    pub mirrored: [bool; 2],
+    /// Triangles strictly between light and receivers.
+    pub between: Vec<Triangle>,
+    /// Triangles that reach one of the two planes and stand between them in part.
+    pub crossing: Vec<Triangle>,
+    /// Side of a cell, in scene units.
+    pub cell: f64,
+}
+
+fn dot(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn minus(a: Vector, b: Vector) -> Vector {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+fn scaled(a: Vector, by: f64) -> Vector {
+    [a[0] * by, a[1] * by, a[2] * by]
+}
+
+fn cross(a: Vector, b: Vector) -> Vector {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn length(a: Vector) -> f64 {
+    dot(a, a).sqrt()
+}
+
+fn refuse<T>(what: impl Into<String>, remedy: &str) -> Result<T> {
+    Err(Place::default().error(what, remedy))
+}
+
+/// The frame of a light.
+struct Frame {
+    corner: Vector,
+    axes: [Vector; 3],
+}
+
+impl Frame {
+    fn new(light: &Rect) -> Result<Self> {
+        let (u, v) = (length(light.u), length(light.v));
+        let normal = cross(light.u, light.v);
+        let area = length(normal);
+        let usable = [u, v, area].iter().all(|x| x.is_finite() && *x > 0.0);
+        if !usable || dot(light.u, light.v).abs() > 1e-9 * u * v {
+            return refuse(
+                format!("a light with sides {:?} and {:?}", light.u, light.v),
+                "give it two sides at right angles",
+            );
+        }
+        let axes = [scaled(light.u, 1.0 / u), scaled(light.v, 1.0 / v), scaled(normal, 1.0 / area)];
+        Ok(Frame { corner: light.corner, axes })
+    }
+
+    fn point(&self, p: Vector) -> Vector {
+        let p = minus(p, self.corner);
+        self.axes.map(|axis| dot(axis, p))
+    }
+
+    fn direction(&self, d: Vector) -> Vector {
+        self.axes.map(|axis| dot(axis, d))
+    }
+}
+
+/// An axis of the receivers in the frame: smallest texel centre, distance of texels, and whether columns run against it.
+struct Axis {
+    first: f64,
+    pitch: f64,
+    mirrored: bool,
+}
+
+impl Axis {
+    fn new(start: f64, side: f64, count: u32) -> Self {
+        let pitch = side.abs() / f64::from(count);
+        Axis { first: start.min(start + side) + pitch / 2.0, pitch, mirrored: side < 0.0 }
+    }
+
+    fn last(&self, count: u32) -> f64 {
+        self.first + self.pitch * f64::from(count - 1)
+    }
+}
+
+/// Columns and rows of a light's samples.
+fn shape(samples: u32) -> (u32, u32) {
+    let columns = 1 << samples.ilog2().div_ceil(2);
+    // 32 samples are 8 by 4.
+    (columns, samples / columns)
+}
+
+/// Snaps a request's scene.
+///
+/// # Errors
+///
+/// A light or receiver without area, a receiver that is not parallel to the light or lies behind it, geometry that reaches
+/// through the light's plane, and a scene that does not fit the grid at this resolution.
+pub fn snap(request: &Request) -> Result<Snapped> {
+    let frame = Frame::new(&request.light)?;
+    let Request { resolution, receiver, light, .. } = request;
+    let start = frame.point(receiver.corner);
+    let (u, v) = (frame.direction(receiver.u), frame.direction(receiver.v));
+    let height = start[2];
+    let tolerance = 1e-9 * (length(u) + length(v));
+    if [u[1], u[2], v[0], v[2]].iter().any(|x| x.abs() > tolerance) || u[0] == 0.0 || v[1] == 0.0 {
+        return refuse(
+            "the receiver is not aligned with the light",
+            "make its sides parallel to the light's sides, in order",
+        );
+    }
+    if height.is_nan() || height <= 0.0 {
+        return refuse(
+            "the receiver does not lie in front of the light",
+            "move the light, or turn it: it shines along u x v",
+        );
+    }
+    let axes = [Axis::new(start[0], u[0], *resolution), Axis::new(start[1], v[1], *resolution)];
+    let sides = [length(light.u), length(light.v)];
+    let lows: [f64; 2] = std::array::from_fn(|i| axes[i].first.min(0.0));
+    let highs: [f64; 2] = std::array::from_fn(|i| axes[i].last(*resolution).max(sides[i]));
+    let relevant = |t: &[Vector; 3]| {
+        let reaches = |i: usize| t.iter().any(|p| p[i] <= highs[i]) && t.iter().any(|p| p[i] >= lows[i]);
+        reaches(0) && reaches(1) && t.iter().any(|p| p[2] > 0.0) && t.iter().any(|p| p[2] < height)
+    };
+    let triangles: Vec<[Vector; 3]> =
+        request.triangles.iter().map(|t| t.map(|p| frame.point(p))).filter(relevant).collect();
+    let fit = Fit::new(&axes, lows, highs, height, &triangles)?;
+    fit.scene(request, &axes, sides, height, &triangles)
+}
+
+/// Cells of the grid in the frame: where its origin is and how large a cell.
+struct Fit {
+    cell: f64,
+    /// Texel distance along x, in cells.
+    step: i32,
+    /// Frame coordinates and cell of texel 0.
+    anchor: [f64; 2],
+    at: [i32; 2],
+}
+
+impl Fit {
+    fn new(axes: &[Axis; 2], lows: [f64; 2], highs: [f64; 2], height: f64, triangles: &[[Vector; 3]]) -> Result<Self> {
+        let points = || triangles.iter().flatten();
+        let low: [f64; 2] = std::array::from_fn(|i| points().fold(lows[i], |m, p| m.min(p[i])));
+        let high: [f64; 2] = std::array::from_fn(|i| points().fold(highs[i], |m, p| m.max(p[i])));
+        let deep = points().fold(height, |m, p| m.max(p[2]));
+        // Two cells are left for rounding at either end.
+        let cell = ((high[0] - low[0]).max(high[1] - low[1]) / f64::from(2 * XY - 4)).max(deep / f64::from(Z - 2));
+        let steps = (axes[0].pitch / cell).floor();
+        if !(1.0..f64::from(XY)).contains(&steps) {
+            let what = format!("a scene of {:.6} by {:.6} by {deep:.6} units", high[0] - low[0], high[1] - low[1]);
+            let what =
+                format!("{what} has cells of {cell:.6} units on the grid, and texels are {:.6} apart", axes[0].pitch);
+            return refuse(what, "lower the resolution, or bring receiver, light and casters closer together");
+        }
+        let cell = axes[0].pitch / steps;
+        let anchor = [axes[0].first, axes[1].first];
+        let middle: [f64; 2] = std::array::from_fn(|i| (low[i] + high[i]) / 2.0);
+        let at = std::array::from_fn(|i| ((anchor[i] - middle[i]) / cell).round() as i32);
+        Ok(Fit { cell, step: steps as i32, anchor, at })
+    }
+
+    fn xy(&self, axis: usize, coordinate: f64) -> i32 {
+        self.at[axis] + ((coordinate - self.anchor[axis]) / self.cell).round() as i32
+    }
+
+    fn point(&self, p: Vector) -> [i32; 3] {
+        [self.xy(0, p[0]), self.xy(1, p[1]), (p[2] / self.cell).round() as i32]
+    }
+
+    fn scene(
+        &self,
+        request: &Request,
+        axes: &[Axis; 2],
+        sides: [f64; 2],
+        height: f64,
+        triangles: &[[Vector; 3]],
+    ) -> Result<Snapped> {
+        let whole = |length: f64| ((length / self.cell).round() as i32).max(1);
+        let (columns, rows) = shape(request.samples);
+        let step = [whole(sides[0] / f64::from(columns)), whole(sides[1] / f64::from(rows))];
+        let first = |i: usize, count: u32| self.xy(i, sides[i] / 2.0) - step[i] * (count as i32 - 1) / 2;
+        let samples = Samples { origin: [first(0, columns), first(1, rows)], step, columns, rows };
+        let receivers = Receivers {
+            origin: self.at,
+            step: [self.step, whole(axes[1].pitch)],
+            height: whole(height),
+            columns: request.resolution,
+            rows: request.resolution,
+        };
+        samples.check()?;
+        receivers.check()?;
+        let mut snapped = Snapped {
+            samples,
+            receivers,
+            mirrored: [axes[0].mirrored, axes[1].mirrored],
+            between: Vec::new(),
+            crossing: Vec::new(),
+            cell: self.cell,
+        };
+        for triangle in triangles {
+            snapped.add(triangle.map(|p| self.point(p)))?;
+        }
+        Ok(snapped)
+    }
+}
+
+impl Snapped {
+    fn add(&mut self, triangle: Triangle) -> Result<()> {
+        let height = self.receivers.height;
+        let z = triangle.map(|p| p[2]);
+        if z.iter().all(|z| *z <= 0) || z.iter().all(|z| *z >= height) {
+            return Ok(());
+        }
+        if z.iter().all(|z| (1..height).contains(z)) {
+            self.between.push(triangle);
+        } else if z.iter().all(|z| *z >= 0) {
+            self.crossing.push(triangle);
+        } else {
+            let behind = -f64::from(z.into_iter().min().unwrap_or(0)) * self.cell;
+            let what = format!("a triangle passes through the light's plane and reaches {behind:.6} units behind it");
+            return refuse(what, "move the light clear of the geometry, or cut the triangle at the light's plane");
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn request(triangles: Vec<[Vector; 3]>) -> Request {
+        Request {
+            triangles,
+            light: Rect { corner: [-0.2, 3.0, -0.2], u: [0.4, 0.0, 0.0], v: [0.0, 0.0, 0.4] },
+            receiver: Rect { corner: [-2.0, 0.0, 2.0], u: [4.0, 0.0, 0.0], v: [0.0, 0.0, -4.0] },
+            resolution: 512,
+            samples: 1024,
+        }
+    }
+
+    #[test]
+    fn the_default_arrangement_fills_the_grid() {
+        let snapped = snap(&request(vec![[[0.0, 1.0, 0.0], [0.1, 1.0, 0.0], [0.0, 1.0, 0.1]]])).unwrap();
+        assert_eq!(snapped.receivers.step, [64, 64]);
+        assert_eq!(snapped.receivers.height, 24_576);
+        assert_eq!(snapped.mirrored, [false, true]);
+        assert_eq!((snapped.between.len(), snapped.crossing.len()), (1, 0));
+        // The light's samples stand symmetrically over the receivers, up to a cell.
+        let (s, r) = (snapped.samples, snapped.receivers);
+        for axis in 0..2 {
+            let light = 2 * s.origin[axis] + 31 * s.step[axis];
+            let floor = 2 * r.origin[axis] + 511 * r.step[axis];
+            assert!((light - floor).abs() <= 2, "{light} and {floor}");
+        }
+    }
+
+    #[test]
+    fn what_cannot_hide_anything_is_left_out() {
+        let below = [[0.0, -1.0, 0.0], [0.1, -1.0, 0.0], [0.0, -1.0, 0.1]];
+        let above = [[0.0, 4.0, 0.0], [0.1, 4.0, 0.0], [0.0, 4.0, 0.1]];
+        let aside = [[9.0, 1.0, 0.0], [9.1, 1.0, 0.0], [9.0, 1.0, 0.1]];
+        let snapped = snap(&request(vec![below, above, aside])).unwrap();
+        assert_eq!((snapped.between.len(), snapped.crossing.len()), (0, 0));
+    }
+
+    #[test]
+    fn geometry_through_either_plane() {
+        let floor = [[0.0, 1.0, 0.0], [0.1, -0.5, 0.0], [0.0, 1.0, 0.1]];
+        assert_eq!(snap(&request(vec![floor])).unwrap().crossing.len(), 1);
+        let light = [[0.0, 1.0, 0.0], [0.1, 3.5, 0.0], [0.0, 1.0, 0.1]];
+        let message = snap(&request(vec![light])).unwrap_err().to_string();
+        assert!(message.contains("0.5") && message.contains("behind"), "{message}");
+    }
+
+    #[test]
+    fn arrangements_that_make_no_sense_are_refused() {
+        let turned = Request {
+            light: Rect { u: [0.0, 0.0, 0.4], v: [0.4, 0.0, 0.0], ..request(vec![]).light },
+            ..request(vec![])
+        };
+        assert!(snap(&turned).unwrap_err().to_string().contains("remedy"));
+        let tilted = Request { receiver: Rect { v: [0.0, 0.5, -4.0], ..request(vec![]).receiver }, ..request(vec![]) };
+        assert!(snap(&tilted).unwrap_err().to_string().contains("aligned"));
+        let flat = Request { light: Rect { v: [0.4, 0.0, 0.0], ..request(vec![]).light }, ..request(vec![]) };
+        assert!(snap(&flat).unwrap_err().to_string().contains("right angles"));
+    }
+
+    #[test]
+    fn shapes_of_lights() {
+        assert_eq!([32, 64, 128, 256, 512, 1024].map(shape), [(8, 4), (8, 8), (16, 8), (16, 16), (32, 16), (32, 32)]);
+    }
+}
