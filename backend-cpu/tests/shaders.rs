@@ -16,42 +16,38 @@
 //! Invariant: a file that expects nothing is a failure.
 
 mod engines;
+mod files;
 mod script;
 
 use std::path::Path;
 use std::sync::Arc;
 
-use engines::Engine;
 use libtest_mimic::{Arguments, Failed, Trial};
 use script::Script;
 
 fn main() {
     let arguments = Arguments::from_args();
-    let engines = Arc::new(all_engines());
+    let engines = Arc::new(engines::engines());
     let mut trials = Vec::new();
-    for folder in ["tests/shaders", "tests/regressions"] {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
-        for path in script::wgsl_files(&folder) {
-            let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            let script = match Script::read(&path) {
-                Ok(script) => Arc::new(script),
-                Err(message) => {
-                    trials.push(Trial::test(name, move || Err(Failed::from(message))));
-                    continue;
-                }
-            };
-            for index in 0..engines.len() {
-                let (script, engines) = (Arc::clone(&script), Arc::clone(&engines));
-                let title = format!("{name}::{}", engines[index].name);
-                trials.push(Trial::test(title, move || Ok(script.run(&engines[index])?)));
+    for path in ["shaders", "regressions"].into_iter().flat_map(files::wgsl_files) {
+        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let script = match read(&path) {
+            Ok(script) => Arc::new(script),
+            Err(message) => {
+                trials.push(Trial::test(name, move || Err(Failed::from(message))));
+                continue;
             }
+        };
+        for index in 0..engines.len() {
+            let (script, engines) = (Arc::clone(&script), Arc::clone(&engines));
+            let title = format!("{name}::{}", engines[index].name);
+            trials.push(Trial::test(title, move || Ok(script.run(&engines[index])?)));
         }
     }
     libtest_mimic::run(&arguments, trials).exit();
 }
 
-fn all_engines() -> Vec<Engine> {
-    let mut engines = vec![Engine::reference(), Engine::trapping(), Engine::counting()];
-    engines.extend(engines::engines());
-    engines
+fn read(path: &Path) -> Result<Script, String> {
+    let text = std::fs::read_to_string(path).map_err(|e| format!("{}: {e}", path.display()))?;
+    Script::parse(&path.file_name().unwrap_or_default().to_string_lossy(), text)
 }

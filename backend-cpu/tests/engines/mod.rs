@@ -6,7 +6,7 @@ use sightlines_backend_cpu::{Bounds, Config, CpuBackend, Simd};
 #[path = "../reference/mod.rs"]
 mod reference;
 
-pub use reference::Reference;
+use reference::Reference;
 
 /// A named machine.
 pub struct Engine {
@@ -21,20 +21,6 @@ impl Engine {
         let traps = config.bounds == Bounds::Trap;
         Engine { name: name.into(), backend: Box::new(CpuBackend::new(config)), traps }
     }
-
-    pub fn reference() -> Self {
-        Engine { name: "reference".into(), backend: Box::new(Reference), traps: false }
-    }
-
-    /// The interpreter that stops at an access out of bounds.
-    pub fn trapping() -> Self {
-        Self::cpu("cpu_trap", Config { threads: 1, bounds: Bounds::Trap, ..config() })
-    }
-
-    /// The interpreter that counts semantic costs.
-    pub fn counting() -> Self {
-        Self::cpu("cpu_count", Config { count: true, ..config() })
-    }
 }
 
 /// Clamped accesses, and fuel that an endless loop uses up quickly.
@@ -42,9 +28,15 @@ fn config() -> Config {
     Config { bounds: Bounds::Clamp, fuel: 1 << 20, ..Config::default() }
 }
 
-/// The interpreter: at its defaults, at every SIMD level with few lanes, and with other lanes and threads.
+/// The reference first; then the interpreter at its defaults, counting costs, stopping at accesses out of bounds, at every
+/// SIMD level with few lanes, and with other lanes and threads.
 pub fn engines() -> Vec<Engine> {
-    let mut engines = vec![Engine::cpu("cpu", config())];
+    let mut engines = vec![
+        Engine { name: "reference".into(), backend: Box::new(Reference), traps: false },
+        Engine::cpu("cpu", config()),
+        Engine::cpu("cpu_count", Config { count: true, ..config() }),
+        Engine::cpu("cpu_trap", Config { threads: 1, bounds: Bounds::Trap, ..config() }),
+    ];
     for simd in Simd::available() {
         let settings = Config { simd: Some(simd), lanes: Some(16), threads: 1, ..config() };
         engines.push(Engine::cpu(format!("cpu_{}_16_lanes", simd.name()), settings));

@@ -4,7 +4,7 @@ mod coverage;
 mod literal;
 mod shader;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use naga::{Handle, Module, Scalar, ScalarKind, Type, TypeInner};
 use sightlines_backend::{Backend, Job, Linked, Program};
@@ -63,14 +63,6 @@ pub struct File {
     text: String,
     module: Module,
     tested: Vec<Tested>,
-}
-
-/// The WGSL files of a folder, sorted.
-pub fn wgsl_files(folder: &Path) -> Vec<PathBuf> {
-    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
-    let mut files: Vec<PathBuf> = entries.filter(|p| p.extension().is_some_and(|e| e == "wgsl")).collect();
-    files.sort();
-    files
 }
 
 impl File {

@@ -3,6 +3,8 @@
 use super::random::Random;
 use super::types::{BOOL, F32, I32, Scalar, Type, U32};
 
+const COMMON: [&str; 5] = ["(lane + 1u)", "(own * 3u)", "(params[0].x + lane)", "input[lane]", "input[own + 1u]"];
+
 /// A variable in scope.
 #[derive(Clone)]
 pub struct Variable {
@@ -57,7 +59,8 @@ impl Scope {
     /// An index that is mostly in range.
     fn index(&mut self, depth: usize) -> String {
         if depth == 0 {
-            return format!("{} % {}u", self.word(), 1 + self.random.below(6));
+            let word = self.word();
+            return if self.random.chance(30) { word } else { format!("{word} % {}u", 1 + self.random.below(6)) };
         }
         let (ty, literal) = if self.random.chance(70) { (U32, "u") } else { (I32, "") };
         let index = self.expression(&ty, depth - 1);
@@ -123,7 +126,9 @@ impl Scope {
 
     /// A u32 from memory or a builtin id.
     fn word(&mut self) -> String {
-        match self.random.below(6) {
+        match self.random.below(8) {
+            // Repeated often, so that values are shared between far places.
+            6 | 7 => (*self.random.pick(&COMMON)).to_owned(),
             0 => "lane".to_owned(),
             1 => "own".to_owned(),
             2 => format!("params[{}].{}", self.random.below(4), self.random.pick(&["x", "y", "z", "w"])),

@@ -1,7 +1,6 @@
 //! Reads and runs the files of `tests/shaders` and `tests/regressions`.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
 
 use sightlines_backend::{Backend, BufferId, Command, Dispatch, Groups, Job, Linked, Program};
 
@@ -34,25 +33,7 @@ enum Count {
     Indirect(u32, u64),
 }
 
-/// The WGSL files of a folder, sorted.
-pub fn wgsl_files(folder: &Path) -> Vec<PathBuf> {
-    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
-    let mut files: Vec<PathBuf> = entries.filter(|p| p.extension().is_some_and(|e| e == "wgsl")).collect();
-    files.sort();
-    files
-}
-
 impl Script {
-    pub fn read(path: &Path) -> Result<Self, String> {
-        let text = std::fs::read_to_string(path).map_err(|e| format!("{}: {e}", path.display()))?;
-        let script = Self::parse(&path.file_name().unwrap_or_default().to_string_lossy(), text)?;
-        let silent = script.expected.is_empty() && script.trap.is_none() && script.fails.is_none();
-        if silent || script.dispatches.is_empty() {
-            return Err(format!("{}: runs or expects nothing", script.path));
-        }
-        Ok(script)
-    }
-
     pub fn parse(path: &str, text: String) -> Result<Self, String> {
         let mut script = Script {
             path: path.to_owned(),
@@ -112,6 +93,10 @@ impl Script {
 
     /// Runs everything on one machine and compares.
     pub fn run(&self, engine: &Engine) -> Result<(), String> {
+        let silent = self.expected.is_empty() && self.trap.is_none() && self.fails.is_none();
+        if silent || self.dispatches.is_empty() {
+            return Err(format!("{}: runs or expects nothing", self.path));
+        }
         let result = self.execute(engine.backend.as_ref());
         if let Some(wanted) = &self.fails {
             return refusal(result, wanted);
