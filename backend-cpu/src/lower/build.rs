@@ -329,6 +329,17 @@ impl<'m> Builder<'m> {
         self.known.clear();
     }
 
+    /// Forgets the values that the innermost block has numbered, until [`Builder::show_numbered`].
+    pub(super) fn hide_numbered(&mut self) -> HashMap<Op, Val> {
+        self.scopes.last_mut().map(std::mem::take).unwrap_or_default()
+    }
+
+    pub(super) fn show_numbered(&mut self, numbered: HashMap<Op, Val>) {
+        if let Some(scope) = self.scopes.last_mut() {
+            *scope = numbered;
+        }
+    }
+
     pub(super) fn push(&mut self, stmt: Stmt) {
         self.block.push(stmt);
     }

@@ -147,13 +147,16 @@ impl<'m> Builder<'m> {
             b.forget();
             b.block(body)?;
             b.flush();
-            // What the body evaluated is in scope; what variables hold is not known: `continue` skips statements.
+            // `continue` skips statements: neither what variables hold nor what the body numbered is known here. What the
+            // text itself uses again is in scope, as WGSL forbids a `continue` in between.
+            let numbered = b.hide_numbered();
             tail = b.nested(|b| {
                 b.forget();
                 b.block(continuing)?;
                 test = break_if.map(|test| b.word(test)).transpose()?;
                 Ok(())
             })?;
+            b.show_numbered(numbered);
             Ok(())
         });
         self.targets.pop();
