@@ -14,7 +14,7 @@ use sightlines_backend::{DeviceError, ErrorKind};
 #[non_exhaustive]
 pub enum Error {
     /// A file that could not be read.
-    #[error("{}: cannot be read: {source}\n  remedy: {}", .path.display(), remedy(.source))]
+    #[error("{}: cannot be read: {source}\n  remedy: {}", .path.display(), read_remedy(.source))]
     Read {
         /// The file.
         path: PathBuf,
@@ -22,7 +22,7 @@ pub enum Error {
         source: io::Error,
     },
     /// A file that could not be written. Nothing of it is left behind.
-    #[error("{}: cannot be written: {source}\n  remedy: {}", .path.display(), remedy(.source))]
+    #[error("{}: cannot be written: {source}\n  remedy: {}", .path.display(), write_remedy(.source))]
     Write {
         /// The file.
         path: PathBuf,
@@ -95,17 +95,27 @@ impl fmt::Display for Place {
     }
 }
 
-fn remedy(source: &io::Error) -> &'static str {
+fn read_remedy(source: &io::Error) -> &'static str {
     match source.kind() {
-        io::ErrorKind::NotFound => "check the path; folders are not made",
+        io::ErrorKind::NotFound => "check the path",
+        io::ErrorKind::PermissionDenied => "change the file's permissions, or copy it",
+        io::ErrorKind::IsADirectory => "name a file, not a folder",
+        io::ErrorKind::InvalidData => "save the file as UTF-8 text",
+        _ => "check the file and its disk",
+    }
+}
+
+fn write_remedy(source: &io::Error) -> &'static str {
+    match source.kind() {
+        io::ErrorKind::NotFound => "make its folder, or name a file in another one",
         io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
             "change the permissions, or name a file in another folder"
         }
         io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded | io::ErrorKind::FileTooLarge => {
             "make room, or name a file on another disk"
         }
-        io::ErrorKind::IsADirectory | io::ErrorKind::NotADirectory => "name a file, not a folder",
-        _ => "check the file and its disk",
+        io::ErrorKind::IsADirectory | io::ErrorKind::InvalidInput => "name a file",
+        _ => "name a file in another folder, or on another disk",
     }
 }
 

@@ -55,6 +55,15 @@ fn parse(path: &Path, bytes: &[u8]) -> Result<(Document, Option<Vec<u8>>)> {
         return Err(place().error(format!("it uses {name}, which is not read"), "export the scene without it"));
     }
     root.extensions_required.clear();
+    // The crate's own validation takes these for granted.
+    for (index, mesh) in root.meshes.iter().enumerate() {
+        let attributes = || mesh.primitives.iter().flat_map(|primitive| primitive.attributes.values());
+        if attributes().any(|accessor| accessor.value() >= root.accessors.len()) {
+            return Err(place()
+                .element(format!("meshes[{index}]"))
+                .error("an accessor's index is out of bounds", REMEDY));
+        }
+    }
     let document = Document::from_json(root).map_err(|e| match e {
         gltf::Error::Validation(found) => {
             let first = found.first().map(|(at, reason): &(_, Reason)| (at.to_string(), reason.to_string()));

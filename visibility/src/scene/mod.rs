@@ -122,8 +122,9 @@ impl Scene {
 
 impl fmt::Display for Bounds {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [a, b] = [self.min, self.max];
-        write!(f, "({}, {}, {}) to ({}, {}, {}), radius {}", a[0], a[1], a[2], b[0], b[1], b[2], self.radius)
+        // The shortest digits of f32 are enough to look at.
+        let [a, b] = [self.min, self.max].map(|corner| corner.map(|c| c as f32));
+        write!(f, "({}, {}, {}) to ({}, {}, {}), radius {}", a[0], a[1], a[2], b[0], b[1], b[2], self.radius as f32)
     }
 }
 

@@ -14,7 +14,7 @@ const TRUNK_SIDES: u32 = 8;
 /// Pieces of a frond's midrib.
 const MIDRIB_PIECES: u32 = 12;
 /// Leaflets on each side of a midrib.
-const LEAFLETS: u32 = 46;
+const LEAFLETS: u32 = 47;
 const UP: Vector = [0.0, 1.0, 0.0];
 
 /// Numbers from a seed, by an integer hash (SplitMix64) of a counter.

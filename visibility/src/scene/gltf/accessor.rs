@@ -11,7 +11,7 @@ use gltf::{Accessor, Document};
 
 use super::REMEDY;
 use crate::error::{Place, Result};
-use crate::scene::{MAX_TRIANGLES, MAX_VERTICES, limit, load};
+use crate::scene::{MAX_FILE_BYTES, MAX_TRIANGLES, MAX_VERTICES, limit, load};
 use crate::vector::Vector;
 
 pub(super) struct Buffers<'a> {
@@ -21,7 +21,7 @@ pub(super) struct Buffers<'a> {
 
 impl<'a> Buffers<'a> {
     pub(super) fn load(path: &'a Path, document: &Document, mut blob: Option<Vec<u8>>) -> Result<Self> {
-        let mut bytes = Vec::new();
+        let (mut bytes, mut total) = (Vec::new(), 0);
         for buffer in document.buffers() {
             let place = || Place::file(path).element(format!("buffer {}", buffer.index()));
             let data = match buffer.source() {
@@ -31,6 +31,11 @@ impl<'a> Buffers<'a> {
             if data.len() < buffer.length() {
                 let what = format!("{} bytes are promised, {} are there", buffer.length(), data.len());
                 return Err(place().error(what, REMEDY));
+            }
+            total += data.len() as u64;
+            if total > MAX_FILE_BYTES {
+                let what = format!("with it the buffers hold {total} bytes, at most {MAX_FILE_BYTES} are read");
+                return Err(place().error(what, "simplify the scene, or split it"));
             }
             bytes.push(data);
         }

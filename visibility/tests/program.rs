@@ -1,0 +1,221 @@
+//! The program `sightlines` as its users meet it: exit codes, messages, files.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use sightlines_visibility::image::Share;
+use sightlines_visibility::sets;
+
+struct Folder(tempfile::TempDir);
+
+impl Folder {
+    fn new() -> Self {
+        Folder(tempfile::tempdir().unwrap())
+    }
+
+    fn put(&self, name: &str, text: &str) -> PathBuf {
+        let path = self.0.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        path
+    }
+
+    fn names(&self) -> Vec<String> {
+        let entries = std::fs::read_dir(self.0.path()).unwrap();
+        let mut names: Vec<String> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+
+    /// Runs `sightlines` in the folder.
+    fn run(&self, line: &str) -> Output {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_sightlines"));
+        command.args(line.split_whitespace()).current_dir(self.0.path()).output().unwrap()
+    }
+
+    /// Runs it, and holds it to its exit code; the answer is what it says on standard error.
+    fn fails(&self, line: &str, code: i32) -> String {
+        let output = self.run(line);
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(code), "{line}: {message}");
+        assert!(message.contains("error: "), "{line}: {message}");
+        message
+    }
+}
+
+const TRIANGLE: &str = "v 0 1 0\nv 1 1 0\nv 0 1 1\nf 1 2 3\n";
+
+#[test]
+fn bad_command_lines_and_bad_input_end_with_2() {
+    let folder = Folder::new();
+    folder.put("good.obj", TRIANGLE);
+    folder.put("empty.obj", "");
+    folder.put("broken.obj", "v 0 0 0\nf 1 2 3\n");
+    folder.put("broken.toml", "generator = \"box\"\nsamples = 5\n");
+    for (line, expected) in [
+        ("", "Usage: sightlines"),
+        ("shadows", "required"),
+        ("shadows good.obj --scene palms", "cannot be used with"),
+        ("shadows --scene forest", "choose one of palms, box, quads, colonnade"),
+        ("shadows none.obj", "none.obj: cannot be read"),
+        ("shadows empty.obj", "empty.obj: there is no triangle in it"),
+        ("shadows broken.obj", "broken.obj:2: the face uses vertex 2, and the file has 1 vertices"),
+        ("shadows --scene-file broken.toml", "broken.toml:2: samples: 5 samples cannot be baked"),
+        ("shadows --scene-file none.toml", "none.toml: cannot be read"),
+        ("shadows good.obj --resolution 0", "resolution: 0 texels a side are out of range"),
+        ("shadows good.obj --resolution 8193", "resolution: 8193 texels"),
+        ("shadows good.obj --samples 1000", "samples: 1000 samples cannot be baked"),
+        ("shadows good.obj --light-size -1", "light size: -1 is out of range"),
+        ("shadows good.obj --light-size nan", "light size: NaN is out of range"),
+        ("shadows good.obj --up x", "invalid value 'x'"),
+        ("shadows good.obj --backend cpu --adapter llvmpipe", "--adapter: the interpreter has none"),
+        ("shadows good.obj --backend wgpu --threads 2", "--threads: only the interpreter has threads"),
+    ] {
+        let output = folder.run(line);
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{line}: {message}");
+        assert!(message.contains(expected), "{line}: {message}");
+    }
+    assert_eq!(folder.names(), ["broken.obj", "broken.toml", "empty.obj", "good.obj"], "nothing was written");
+}
+
+#[test]
+fn a_target_that_cannot_be_written_ends_with_1_before_any_work() {
+    let folder = Folder::new();
+    for option in ["-o", "--exr", "--sets"] {
+        let message = folder.fails(&format!("shadows --scene box --backend cpu {option} none/a"), 1);
+        assert!(message.contains("none/a: cannot be written") && message.contains("make its folder"), "{message}");
+        let message = folder.fails(&format!("shadows --scene box --backend cpu {option} ."), 1);
+        assert!(message.contains("cannot be written"), "{message}");
+    }
+    assert_eq!(folder.names(), [""; 0]);
+}
+
+#[test]
+fn a_missing_adapter_ends_with_3() {
+    let folder = Folder::new();
+    let message = folder.fails("shadows --scene box --backend wgpu --adapter no-such-adapter", 3);
+    assert!(message.contains("no adapter matching `no-such-adapter`"), "{message}");
+    assert_eq!(folder.names(), [""; 0]);
+}
+
+#[test]
+fn help_states_the_exit_codes_and_the_scene_file() {
+    let folder = Folder::new();
+    for (line, expected) in [("--help", "Exit codes:"), ("shadows --help", "[receiver]"), ("--version", "sightlines ")]
+    {
+        let output = folder.run(line);
+        assert!(output.status.success(), "{line}");
+        assert!(String::from_utf8(output.stdout).unwrap().contains(expected), "{line}");
+    }
+}
+
+/// Width and greys of a PNG of 8 bits.
+fn greys(path: &Path) -> (u32, Vec<u8>) {
+    let file = std::io::BufReader::new(std::fs::File::open(path).unwrap());
+    let mut reader = png::Decoder::new(file).read_info().unwrap();
+    let mut data = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut data).unwrap();
+    data.truncate(info.buffer_size());
+    (info.width, data)
+}
+
+/// The rest of the report's line that begins with `key`.
+fn line<'a>(report: &'a str, key: &str) -> &'a str {
+    report.lines().find_map(|line| line.strip_prefix(key)).unwrap_or_else(|| panic!("no `{key}` in {report}")).trim()
+}
+
+#[test]
+fn a_shadow_is_baked_written_and_reported() {
+    let folder = Folder::new();
+    let output = folder.run(
+        "shadows --scene box --backend cpu --resolution 64 --samples 64 -o a.png --exr a.exr --sets a.sets --threads 1",
+    );
+    let (report, errors) = (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
+    assert_eq!((output.status.code(), errors.as_str()), (Some(0), ""), "no progress where nobody looks");
+    assert_eq!(line(&report, "scene "), "box: 12 triangles in 1 parts, 0 of them degenerate");
+    assert_eq!(line(&report, "units "), "metres, y up");
+    assert_eq!(line(&report, "receivers "), "64 x 64, 64 samples on each of 1 lights");
+    assert!(line(&report, "backend ").starts_with("cpu, ") && line(&report, "backend ").ends_with(", 1 thread"));
+    assert!(line(&report, "grid ").ends_with(" scene units") && line(&report, "time ").ends_with(" s"));
+    assert!(report.ends_with("wrote      a.png\nwrote      a.exr\nwrote      a.sets\n"), "{report}");
+    assert_eq!(folder.names(), ["a.exr", "a.png", "a.sets"]);
+
+    let (side, image) = greys(&folder.0.path().join("a.png"));
+    assert_eq!(side, 64);
+    assert_eq!((image[0], image[32 * 64 + 32]), (255, 0), "light in the corner, umbra in the middle");
+    let bake = sets::read(&folder.0.path().join("a.sets")).unwrap();
+    assert_eq!((bake.resolution, bake.samples), (64, 64));
+    let share = Share::of(&bake);
+    let mean = format!("{:.6} of the light in the mean", share.mean());
+    assert_eq!(line(&report, "visible "), mean);
+    let expected: Vec<u8> = share.visible.iter().map(|n| ((n * 255 + 32) / 64) as u8).collect();
+    assert_eq!(image, expected);
+}
+
+#[test]
+fn the_shadow_of_a_cube_is_where_geometry_puts_it() {
+    let folder = Folder::new();
+    let output = folder.run("shadows --scene box --backend cpu --resolution 64 --samples 1024 --sets a.sets");
+    assert!(output.status.success());
+    assert_eq!(folder.names(), ["a.sets"], "no picture unless asked for");
+    let share = Share::of(&sets::read(&folder.0.path().join("a.sets")).unwrap());
+    // R = √3/2. The receiver is 0.02 R under the cube's foot, the light 3 R above it and 0.4 R wide.
+    let r = 0.75_f64.sqrt();
+    let (low, high, light) = (0.02 * r, 0.02 * r + 1.0, 3.0 * r);
+    // Seen from the light's edge, the cube's top throws farthest; from its other edge, its foot hides at least this.
+    let outer = 0.5 + high / (light - high) * (0.5 + 0.2 * r);
+    let umbra = 0.5 - low / (light - low) * (0.2 * r - 0.5).max(0.0);
+    for (index, &visible) in share.visible.iter().enumerate() {
+        let at = |i: usize| ((i as f64 + 0.5) / 64.0 - 0.5) * 4.0 * r;
+        let farthest = at(index % 64).abs().max(at(index / 64).abs());
+        if farthest > outer + 1e-3 {
+            assert_eq!(visible, 1024, "texel {index}");
+        }
+        if farthest < umbra - 1e-3 {
+            assert_eq!(visible, 0, "texel {index}");
+        }
+    }
+}
+
+#[test]
+fn several_lights_give_one_picture_and_a_file_of_sets_each() {
+    let folder = Folder::new();
+    let light = |x: f64| format!("[[light]]\ncorner = [{x}, 6.0, -0.5]\nu = [1.0, 0.0, 0.0]\nv = [0.0, 0.0, 1.0]\n");
+    let file = format!("model = \"a.obj\"\nresolution = 32\nsamples = 32\n{}{}", light(-3.0), light(2.0));
+    folder.put("a.toml", &file);
+    folder.put("a.obj", TRIANGLE);
+    let output = folder.run("shadows --scene-file a.toml --backend cpu -o a.png --sets b.sets");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert_eq!(folder.names(), ["a.obj", "a.png", "a.toml", "b.0.sets", "b.1.sets"]);
+    let read = |name: &str| Share::of(&sets::read(&folder.0.path().join(name)).unwrap());
+    let (mut sum, other) = (read("b.0.sets"), read("b.1.sets"));
+    assert_ne!(sum, other);
+    sum.add(&other);
+    let expected: Vec<u8> = sum.visible.iter().map(|n| ((n * 255 + 32) / 64) as u8).collect();
+    assert_eq!(greys(&folder.0.path().join("a.png")).1, expected);
+}
+
+#[test]
+fn threads_do_not_show_in_the_files() {
+    let folder = Folder::new();
+    for threads in [1, 3] {
+        let line = format!("shadows --scene colonnade --backend cpu --resolution 96 --threads {threads}");
+        assert!(folder.run(&format!("{line} --samples 128 -o {threads}.png --sets {threads}.sets")).status.success());
+    }
+    let read = |name: &str| std::fs::read(folder.0.path().join(name)).unwrap();
+    assert!(read("1.png") == read("3.png") && read("1.sets") == read("3.sets"));
+}
+
+/// A limit on the size of files stands for a full disk: writing fails halfway.
+#[cfg(unix)]
+#[test]
+fn a_full_disk_ends_with_1_and_leaves_nothing_half_written() {
+    let folder = Folder::new();
+    let program = env!("CARGO_BIN_EXE_sightlines");
+    let line = format!("trap '' XFSZ; ulimit -f 64; exec '{program}' shadows --scene box --backend cpu --sets a.sets");
+    let output = Command::new("sh").args(["-c", &line]).current_dir(folder.0.path()).output().unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    assert!(message.contains("error: a.sets: cannot be written") && message.contains("make room"), "{message}");
+    assert_eq!(folder.names(), [""; 0]);
+}
