@@ -9,7 +9,7 @@ mod reference;
 use reference::Reference;
 
 /// A named machine.
-pub struct Engine {
+pub(crate) struct Engine {
     pub name: String,
     pub backend: Box<dyn Backend>,
     /// Whether an access out of bounds stops it.
@@ -30,7 +30,7 @@ fn config() -> Config {
 
 /// The reference first; then the interpreter at its defaults, counting costs, stopping at accesses out of bounds, at every
 /// SIMD level with few lanes, and with other lanes and threads.
-pub fn engines() -> Vec<Engine> {
+pub(crate) fn engines() -> Vec<Engine> {
     let mut engines = vec![
         Engine { name: "reference".into(), backend: Box::new(Reference), traps: false },
         Engine::cpu("cpu", config()),

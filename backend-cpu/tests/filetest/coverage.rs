@@ -39,7 +39,7 @@ const WANTED: &[(&str, &[&str])] = &[
 ];
 
 /// Fails with the operations that no file reaches.
-pub fn coverage(files: &[Arc<File>]) -> Result<(), String> {
+pub(crate) fn coverage(files: &[Arc<File>]) -> Result<(), String> {
     let mut reached = BTreeSet::new();
     for file in files {
         collect(file, &mut reached)?;

@@ -9,21 +9,21 @@ use super::Signature;
 
 /// What a result word must be.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Expected {
+pub(crate) enum Expected {
     Word(u32),
     /// Any NaN.
     Nan,
 }
 
 impl Expected {
-    pub fn accepts(self, word: u32) -> bool {
+    pub(crate) fn accepts(self, word: u32) -> bool {
         match self {
             Expected::Word(expected) => expected == word,
             Expected::Nan => f32::from_bits(word).is_nan(),
         }
     }
 
-    pub fn word(self) -> Option<u32> {
+    pub(crate) fn word(self) -> Option<u32> {
         if let Expected::Word(word) = self { Some(word) } else { None }
     }
 }
@@ -38,7 +38,7 @@ impl fmt::Display for Expected {
 }
 
 /// Parts of a list at its outermost commas.
-pub fn split(list: &str) -> Vec<&str> {
+pub(crate) fn split(list: &str) -> Vec<&str> {
     let (mut depth, mut start, mut parts) = (0, 0, Vec::new());
     for (at, c) in list.char_indices() {
         match c {
@@ -59,7 +59,7 @@ pub fn split(list: &str) -> Vec<&str> {
 }
 
 /// The words of a literal of a known type.
-pub fn literal(text: &str, signature: &Signature) -> Result<Vec<Expected>, String> {
+pub(crate) fn literal(text: &str, signature: &Signature) -> Result<Vec<Expected>, String> {
     let mut words = Vec::new();
     flatten(text.trim(), signature.scalar.kind, &mut words)?;
     match words.len() {

@@ -9,12 +9,12 @@ use std::path::Path;
 use naga::{Handle, Module, Scalar, ScalarKind, Type, TypeInner};
 use sightlines_backend::{Backend, Job, Linked, Program};
 
-pub use coverage::coverage;
+pub(crate) use coverage::coverage;
 use literal::{Expected, literal, split};
 
 /// How the operands of a run line reach the function.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Mode {
+pub(crate) enum Mode {
     /// As literals: what the interpreter folds.
     Constant,
     /// Loaded from a constant index: the same in all invocations.
@@ -24,12 +24,12 @@ pub enum Mode {
 }
 
 impl Mode {
-    pub const ALL: [Mode; 3] = [Mode::Constant, Mode::Uniform, Mode::Varying];
+    pub(crate) const ALL: [Mode; 3] = [Mode::Constant, Mode::Uniform, Mode::Varying];
 }
 
 /// The WGSL type of a parameter or result, as its scalars.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Signature {
+pub(crate) struct Signature {
     pub scalar: Scalar,
     /// Columns and rows; 1 and n for a vector, 1 and 1 for a scalar.
     pub columns: usize,
@@ -37,13 +37,13 @@ pub struct Signature {
 }
 
 impl Signature {
-    pub fn words(&self) -> usize {
+    pub(crate) fn words(&self) -> usize {
         self.columns * self.rows
     }
 }
 
 /// One function under test.
-pub struct Tested {
+pub(crate) struct Tested {
     pub name: String,
     pub parameters: Vec<Signature>,
     pub result: Signature,
@@ -51,14 +51,14 @@ pub struct Tested {
 }
 
 /// One run line.
-pub struct Run {
+pub(crate) struct Run {
     pub line: usize,
     /// The words of all operands.
     pub operands: Vec<u32>,
     pub expected: Vec<Expected>,
 }
 
-pub struct File {
+pub(crate) struct File {
     path: String,
     text: String,
     module: Module,
@@ -66,7 +66,7 @@ pub struct File {
 }
 
 impl File {
-    pub fn read(path: &Path) -> Result<Self, String> {
+    pub(crate) fn read(path: &Path) -> Result<Self, String> {
         let text = std::fs::read_to_string(path).map_err(|e| format!("{}: {e}", path.display()))?;
         let path = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let module = naga::front::wgsl::parse_str(&text).map_err(|e| e.emit_to_string_with_path(&text, &path))?;
@@ -91,7 +91,7 @@ impl File {
     }
 
     /// Runs every line and reports those whose result differs.
-    pub fn run(&self, mode: Mode, backend: &dyn Backend) -> Result<(), String> {
+    pub(crate) fn run(&self, mode: Mode, backend: &dyn Backend) -> Result<(), String> {
         let text = format!("{}{}", self.text, shader::entries(&self.tested, mode));
         let linked = Linked::single(&self.path, &text).map_err(|e| e.to_string())?;
         let program = Program::unlinted(&self.path, linked).map_err(|e| e.to_string())?;

@@ -7,10 +7,10 @@ use naga::ScalarKind;
 use super::{Mode, Signature, Tested, kind_name};
 
 /// Invocations of a workgroup of varying runs.
-pub const WIDTH: usize = 64;
+pub(crate) const WIDTH: usize = 64;
 
 /// Bindings and one entry point a function.
-pub fn entries(tested: &[Tested], mode: Mode) -> String {
+pub(crate) fn entries(tested: &[Tested], mode: Mode) -> String {
     let mut text = String::from(
         "\n@group(0) @binding(0) var<storage, read> test_operands: array<u32>;\n\
          @group(0) @binding(1) var<storage, read_write> test_results: array<u32>;\n",

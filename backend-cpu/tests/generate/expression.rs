@@ -7,14 +7,14 @@ const COMMON: [&str; 5] = ["(lane + 1u)", "(own * 3u)", "(params[0].x + lane)", 
 
 /// A variable in scope.
 #[derive(Clone)]
-pub struct Variable {
+pub(crate) struct Variable {
     pub name: String,
     pub ty: Type,
     pub writable: bool,
 }
 
 /// What expressions may refer to.
-pub struct Scope {
+pub(crate) struct Scope {
     pub random: Random,
     pub structs: Vec<Vec<Type>>,
     pub variables: Vec<Variable>,
@@ -68,7 +68,7 @@ impl Scope {
     }
 
     /// A place of type `wanted` inside some variable.
-    pub fn place(&mut self, wanted: &Type, writable: bool, depth: usize) -> Option<String> {
+    pub(crate) fn place(&mut self, wanted: &Type, writable: bool, depth: usize) -> Option<String> {
         for _ in 0..12 {
             let candidates: Vec<usize> =
                 (0..self.variables.len()).filter(|&i| !writable || self.variables[i].writable).collect();
@@ -92,7 +92,7 @@ impl Scope {
     }
 
     /// A writable place and its type.
-    pub fn target(&mut self) -> Option<(String, Type)> {
+    pub(crate) fn target(&mut self) -> Option<(String, Type)> {
         let candidates: Vec<Variable> = self.variables.iter().filter(|v| v.writable).cloned().collect();
         if candidates.is_empty() {
             return None;
@@ -138,7 +138,7 @@ impl Scope {
         }
     }
 
-    pub fn construct(&mut self, ty: &Type, parts: &[Type], depth: usize) -> String {
+    pub(crate) fn construct(&mut self, ty: &Type, parts: &[Type], depth: usize) -> String {
         let parts: Vec<String> = parts.iter().map(|p| self.expression(p, depth)).collect();
         format!("{}({})", ty.name(), parts.join(", "))
     }
@@ -166,7 +166,7 @@ impl Scope {
     }
 
     /// An expression of type `ty` that is not constant.
-    pub fn expression(&mut self, ty: &Type, depth: usize) -> String {
+    pub(crate) fn expression(&mut self, ty: &Type, depth: usize) -> String {
         if depth == 0 || self.random.chance(20) {
             return self.leaf(ty);
         }

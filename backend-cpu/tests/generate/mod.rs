@@ -17,5 +17,5 @@ mod shrink;
 mod statement;
 mod types;
 
-pub use program::{Generated, generate};
-pub use shrink::shrink;
+pub(crate) use program::{Generated, generate};
+pub(crate) use shrink::shrink;

@@ -14,7 +14,7 @@ const CELLS: usize = 8;
 
 /// A program as trees of statements under fixed text.
 #[derive(Clone)]
-pub struct Generated {
+pub(crate) struct Generated {
     /// Directives and declarations.
     head: String,
     /// Signature and body of each function; the entry point comes last.
@@ -23,7 +23,7 @@ pub struct Generated {
 
 impl Generated {
     /// The program as a file of `tests/shaders`, without its expectations.
-    pub fn render(&self) -> String {
+    pub(crate) fn render(&self) -> String {
         let mut text = self.head.clone();
         for (signature, body) in &self.functions {
             let _ = writeln!(text, "\n{signature} {{");
@@ -37,7 +37,7 @@ impl Generated {
 }
 
 /// The program of a seed.
-pub fn generate(seed: u64) -> Generated {
+pub(crate) fn generate(seed: u64) -> Generated {
     let mut random = Random::new(seed);
     let mut structs: Vec<Vec<Type>> = Vec::new();
     for index in 0..1 + random.below(3) {

@@ -5,14 +5,14 @@ use super::types::{BOOL, F32, I32, Scalar, Type, U32};
 
 /// A statement: text around blocks. `heads[i]` stands before `blocks[i]`, `tail` after the last.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Statement {
+pub(crate) struct Statement {
     pub heads: Vec<String>,
     pub blocks: Vec<Vec<Statement>>,
     pub tail: String,
 }
 
 impl Statement {
-    pub fn line(text: String) -> Self {
+    pub(crate) fn line(text: String) -> Self {
         Statement { heads: Vec::new(), blocks: Vec::new(), tail: text }
     }
 
@@ -20,7 +20,7 @@ impl Statement {
         Statement { heads: vec![head], blocks: vec![body], tail: "}".to_owned() }
     }
 
-    pub fn render(&self, indent: usize, out: &mut String) {
+    pub(crate) fn render(&self, indent: usize, out: &mut String) {
         let pad = "    ".repeat(indent);
         for (head, block) in self.heads.iter().zip(&self.blocks) {
             out.push_str(&format!("{pad}{head}\n"));
@@ -34,7 +34,7 @@ impl Statement {
 
 /// A function that may be called.
 #[derive(Clone)]
-pub struct Callee {
+pub(crate) struct Callee {
     pub name: String,
     pub values: Vec<Type>,
     /// What it takes a pointer to, if anything.
@@ -44,7 +44,7 @@ pub struct Callee {
 }
 
 /// Where statements are being made.
-pub struct Body<'a> {
+pub(crate) struct Body<'a> {
     pub scope: &'a mut Scope,
     pub callees: &'a [Callee],
     /// Type to return; none in the entry point.
@@ -62,7 +62,7 @@ pub struct Body<'a> {
 
 /// Which jumps are legal.
 #[derive(Clone, Copy, Default)]
-pub struct Jumps {
+pub(crate) struct Jumps {
     pub breaks: bool,
     pub continues: bool,
 }
@@ -71,12 +71,12 @@ pub struct Jumps {
 const LIMIT: u64 = 700;
 
 impl Body<'_> {
-    pub fn fresh(&mut self, prefix: &str) -> String {
+    pub(crate) fn fresh(&mut self, prefix: &str) -> String {
         self.names += 1;
         format!("{prefix}{}", self.names)
     }
 
-    pub fn block(&mut self, depth: usize, jumps: Jumps) -> Vec<Statement> {
+    pub(crate) fn block(&mut self, depth: usize, jumps: Jumps) -> Vec<Statement> {
         let outer = self.scope.variables.len();
         let count = 1 + self.scope.random.below(if depth > 2 { 6 } else { 4 });
         let mut statements = Vec::new();

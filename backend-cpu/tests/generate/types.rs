@@ -3,7 +3,7 @@
 use super::random::Random;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Scalar {
+pub(crate) enum Scalar {
     Bool,
     I32,
     U32,
@@ -11,7 +11,7 @@ pub enum Scalar {
 }
 
 #[derive(Clone, Debug, PartialEq)]
-pub enum Type {
+pub(crate) enum Type {
     Scalar(Scalar),
     Vector(usize, Scalar),
     /// Columns and rows of f32.
@@ -21,15 +21,15 @@ pub enum Type {
     Struct(usize),
 }
 
-pub const BOOL: Type = Type::Scalar(Scalar::Bool);
-pub const I32: Type = Type::Scalar(Scalar::I32);
-pub const U32: Type = Type::Scalar(Scalar::U32);
-pub const F32: Type = Type::Scalar(Scalar::F32);
+pub(crate) const BOOL: Type = Type::Scalar(Scalar::Bool);
+pub(crate) const I32: Type = Type::Scalar(Scalar::I32);
+pub(crate) const U32: Type = Type::Scalar(Scalar::U32);
+pub(crate) const F32: Type = Type::Scalar(Scalar::F32);
 
 impl Scalar {
-    pub const ALL: [Scalar; 4] = [Scalar::Bool, Scalar::I32, Scalar::U32, Scalar::F32];
+    pub(crate) const ALL: [Scalar; 4] = [Scalar::Bool, Scalar::I32, Scalar::U32, Scalar::F32];
 
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Scalar::Bool => "bool",
             Scalar::I32 => "i32",
@@ -40,7 +40,7 @@ impl Scalar {
 }
 
 impl Type {
-    pub fn name(&self) -> String {
+    pub(crate) fn name(&self) -> String {
         match self {
             Type::Scalar(scalar) => scalar.name().to_owned(),
             Type::Vector(n, scalar) => format!("vec{n}<{}>", scalar.name()),
@@ -51,7 +51,7 @@ impl Type {
     }
 
     /// A scalar, vector or matrix; numbers more often than bool.
-    pub fn small(random: &mut Random) -> Type {
+    pub(crate) fn small(random: &mut Random) -> Type {
         let scalar = *random.pick(&[Scalar::Bool, Scalar::I32, Scalar::I32, Scalar::U32, Scalar::U32, Scalar::F32]);
         match random.below(8) {
             0..=4 => Type::Scalar(scalar),
@@ -61,7 +61,7 @@ impl Type {
     }
 
     /// Any type: an array or a structure one time in three.
-    pub fn any(random: &mut Random, structs: usize) -> Type {
+    pub(crate) fn any(random: &mut Random, structs: usize) -> Type {
         match random.below(6) {
             0 => Type::Array(Box::new(Type::small(random)), 1 + random.below(6)),
             1 if structs > 0 => Type::Struct(random.below(structs)),

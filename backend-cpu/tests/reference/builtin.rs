@@ -8,7 +8,7 @@ use super::unsupported;
 use super::value::Value::{self, Bool, Composite, F32, I32, U32};
 use super::value::scalarwise;
 
-pub fn unary(op: UnaryOperator, x: &Value) -> Result<Value> {
+pub(crate) fn unary(op: UnaryOperator, x: &Value) -> Result<Value> {
     scalarwise(&[x], &|x| match (op, x[0]) {
         (UnaryOperator::Negate, F32(x)) => Ok(F32(-x)),
         (UnaryOperator::Negate, I32(x)) => Ok(I32(x.wrapping_neg())),
@@ -19,7 +19,7 @@ pub fn unary(op: UnaryOperator, x: &Value) -> Result<Value> {
     })
 }
 
-pub fn binary(op: Op, x: &Value, y: &Value) -> Result<Value> {
+pub(crate) fn binary(op: Op, x: &Value, y: &Value) -> Result<Value> {
     if op == Op::Multiply {
         match (x.is_matrix(), y.is_matrix(), y) {
             (true, true, Composite(columns)) => {
@@ -123,7 +123,7 @@ fn f32s(op: Op, x: f32, y: f32) -> Result<Value> {
     }))
 }
 
-pub fn select(condition: &Value, accept: &Value, reject: &Value) -> Value {
+pub(crate) fn select(condition: &Value, accept: &Value, reject: &Value) -> Value {
     match condition {
         Composite(conditions) => {
             let pick = |(i, c): (usize, &Value)| if c.bool() { &accept.parts()[i] } else { &reject.parts()[i] };
@@ -134,7 +134,7 @@ pub fn select(condition: &Value, accept: &Value, reject: &Value) -> Value {
     }
 }
 
-pub fn relational(fun: RelationalFunction, x: &Value) -> Result<Value> {
+pub(crate) fn relational(fun: RelationalFunction, x: &Value) -> Result<Value> {
     match fun {
         RelationalFunction::All => Ok(Bool(x.parts().iter().all(Value::bool))),
         RelationalFunction::Any => Ok(Bool(x.parts().iter().any(Value::bool))),
@@ -143,7 +143,7 @@ pub fn relational(fun: RelationalFunction, x: &Value) -> Result<Value> {
     }
 }
 
-pub fn math(fun: Fun, args: &[&Value]) -> Result<Value> {
+pub(crate) fn math(fun: Fun, args: &[&Value]) -> Result<Value> {
     match whole(fun, args) {
         Some(value) => Ok(value),
         None => scalarwise(args, &|args| scalar(fun, args)),

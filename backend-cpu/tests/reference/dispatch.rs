@@ -12,7 +12,7 @@ use super::memory::{self, Pointer, Root, Shape, Slot};
 use super::unsupported;
 
 /// Runs `groups` workgroups and returns what they cost.
-pub fn dispatch(
+pub(crate) fn dispatch(
     program: &Program,
     command: &Dispatch,
     groups: [u32; 3],

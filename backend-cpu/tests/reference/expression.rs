@@ -14,7 +14,7 @@ use super::value::{self, Value};
 
 impl<'a> Invocation<'a> {
     /// The value of an expression in scope.
-    pub fn evaluate(&self, frame: &Frame<'a>, handle: Handle<Expression>) -> Result<Value> {
+    pub(crate) fn evaluate(&self, frame: &Frame<'a>, handle: Handle<Expression>) -> Result<Value> {
         if let Some(value) = &frame.values.borrow()[handle.index()] {
             return Ok(value.clone());
         }
@@ -24,7 +24,7 @@ impl<'a> Invocation<'a> {
         }
     }
 
-    pub fn compute(&self, frame: &Frame<'a>, handle: Handle<Expression>) -> Result<Value> {
+    pub(crate) fn compute(&self, frame: &Frame<'a>, handle: Handle<Expression>) -> Result<Value> {
         let get = |h: &Handle<Expression>| self.evaluate(frame, *h);
         match &frame.function.expressions[handle] {
             Expression::FunctionArgument(index) => Ok(frame.arguments[*index as usize].clone()),
@@ -115,12 +115,12 @@ fn constant(
 }
 
 /// The value of a module-scope constant expression.
-pub fn global(module: &naga::Module, handle: Handle<Expression>) -> Result<Value> {
+pub(crate) fn global(module: &naga::Module, handle: Handle<Expression>) -> Result<Value> {
     constant(module, &module.global_expressions[handle], &|h| global(module, *h))
 }
 
 /// The arguments of an entry point: builtin values, or structures of them.
-pub fn entry_arguments(module: &naga::Module, function: &Function, place: &Place) -> Result<Vec<Value>> {
+pub(crate) fn entry_arguments(module: &naga::Module, function: &Function, place: &Place) -> Result<Vec<Value>> {
     let argument = |ty, binding: &Option<Binding>| match (binding, memory::kind(module, Shape::Type(ty))?) {
         (Some(binding), _) => builtin_value(binding, place),
         (None, Kind::Struct(members, _)) => {

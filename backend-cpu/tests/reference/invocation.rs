@@ -16,7 +16,7 @@ use super::value::Value;
 const FUEL: u64 = 1 << 20;
 
 /// Memory and counters that the invocations of a dispatch share.
-pub struct Shared<'a> {
+pub(crate) struct Shared<'a> {
     pub module: &'a Module,
     pub slots: Vec<Slot<'a>>,
     /// For each global variable, where it begins.
@@ -28,7 +28,7 @@ pub struct Shared<'a> {
 
 /// Where an invocation stands in the grid.
 #[derive(Clone, Copy)]
-pub struct Place {
+pub(crate) struct Place {
     pub local: [u32; 3],
     pub group: [u32; 3],
     pub groups: [u32; 3],
@@ -36,7 +36,7 @@ pub struct Place {
 }
 
 /// One invocation.
-pub struct Invocation<'a> {
+pub(crate) struct Invocation<'a> {
     pub shared: &'a Shared<'a>,
     pub place: Place,
     pub private: RefCell<Vec<u32>>,
@@ -47,7 +47,7 @@ pub struct Invocation<'a> {
 }
 
 /// One active call.
-pub struct Frame<'a> {
+pub(crate) struct Frame<'a> {
     pub function: &'a Function,
     pub arguments: Vec<Value>,
     /// First word of each local variable in the stack.
@@ -68,7 +68,7 @@ type Walk<'w, T> = Pin<Box<dyn Future<Output = Result<T>> + 'w>>;
 
 impl<'a> Invocation<'a> {
     /// Runs a function to its end.
-    pub fn call(&self, function: &'a Function, arguments: Vec<Value>) -> Walk<'_, Option<Value>> {
+    pub(crate) fn call(&self, function: &'a Function, arguments: Vec<Value>) -> Walk<'_, Option<Value>> {
         Box::pin(async move {
             let base = self.stack.borrow().len();
             let frame = self.enter(function, arguments)?;
@@ -236,7 +236,7 @@ impl<'a> Invocation<'a> {
         }
     }
 
-    pub fn load(&self, pointer: &Pointer) -> Result<Value> {
+    pub(crate) fn load(&self, pointer: &Pointer) -> Result<Value> {
         self.count(pointer, |counts| counts.loads += 1)?;
         let module = self.shared.module;
         self.with_memory(pointer, |words, host| memory::decode(module, pointer.shape, words, pointer.word, host))

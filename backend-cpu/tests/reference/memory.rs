@@ -14,7 +14,7 @@ use super::value::Value;
 
 /// Which memory a pointer goes into.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Root {
+pub(crate) enum Root {
     /// A bound range: index of the slot.
     Slot(usize),
     Workgroup,
@@ -24,14 +24,14 @@ pub enum Root {
 
 /// What a pointer points to; vectors and scalars inside composites have no handle of their own.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Shape {
+pub(crate) enum Shape {
     Type(Handle<Type>),
     Vector(VectorSize, Scalar),
     Scalar(Scalar),
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pointer {
+pub(crate) struct Pointer {
     pub root: Root,
     /// Word offset in the root.
     pub word: usize,
@@ -39,7 +39,7 @@ pub struct Pointer {
 }
 
 /// A type taken apart.
-pub enum Kind<'a> {
+pub(crate) enum Kind<'a> {
     Scalar(Scalar),
     Vector(usize, Scalar),
     Matrix(usize, VectorSize, Scalar),
@@ -49,13 +49,13 @@ pub enum Kind<'a> {
 }
 
 /// A bound range of a buffer.
-pub struct Slot<'a> {
+pub(crate) struct Slot<'a> {
     pub memory: &'a RefCell<Vec<u32>>,
     pub first: usize,
     pub words: usize,
 }
 
-pub fn kind(module: &Module, shape: Shape) -> Result<Kind<'_>> {
+pub(crate) fn kind(module: &Module, shape: Shape) -> Result<Kind<'_>> {
     let ty = match shape {
         Shape::Scalar(scalar) => return Ok(Kind::Scalar(scalar)),
         Shape::Vector(size, scalar) => return Ok(Kind::Vector(size as usize, scalar)),
@@ -79,7 +79,7 @@ pub fn kind(module: &Module, shape: Shape) -> Result<Kind<'_>> {
 }
 
 /// Words that a type of fixed size takes.
-pub fn size(module: &Module, shape: Shape, host: bool) -> Result<usize> {
+pub(crate) fn size(module: &Module, shape: Shape, host: bool) -> Result<usize> {
     Ok(match kind(module, shape)? {
         Kind::Scalar(_) => 1,
         Kind::Vector(n, _) => n,
@@ -100,7 +100,7 @@ fn column_stride(rows: VectorSize, host: bool) -> usize {
 }
 
 /// The part `index` of a composite: its word offset inside it and its shape. None for a scalar.
-pub fn part(module: &Module, shape: Shape, index: usize, host: bool) -> Result<(usize, Shape)> {
+pub(crate) fn part(module: &Module, shape: Shape, index: usize, host: bool) -> Result<(usize, Shape)> {
     Ok(match kind(module, shape)? {
         Kind::Scalar(_) => return unsupported("part of a scalar"),
         Kind::Vector(_, scalar) => (index, Shape::Scalar(scalar)),
@@ -118,7 +118,7 @@ pub fn part(module: &Module, shape: Shape, index: usize, host: bool) -> Result<(
 }
 
 /// Number of parts of a composite whose size its type fixes; 0 for a scalar.
-pub fn parts(module: &Module, shape: Shape) -> Result<usize> {
+pub(crate) fn parts(module: &Module, shape: Shape) -> Result<usize> {
     Ok(match kind(module, shape)? {
         Kind::Scalar(_) => 0,
         Kind::Vector(n, _) | Kind::Matrix(n, ..) => n,
@@ -128,7 +128,7 @@ pub fn parts(module: &Module, shape: Shape) -> Result<usize> {
 }
 
 /// The value whose words begin at `word`.
-pub fn decode(module: &Module, shape: Shape, words: &[u32], word: usize, host: bool) -> Result<Value> {
+pub(crate) fn decode(module: &Module, shape: Shape, words: &[u32], word: usize, host: bool) -> Result<Value> {
     if let Kind::Scalar(scalar) = kind(module, shape)? {
         return Value::from_word(scalar, words[word]);
     }
@@ -140,7 +140,14 @@ pub fn decode(module: &Module, shape: Shape, words: &[u32], word: usize, host: b
 }
 
 /// Writes a value's words from `word` on; padding keeps what it holds.
-pub fn encode(module: &Module, shape: Shape, value: &Value, words: &mut [u32], word: usize, host: bool) -> Result<()> {
+pub(crate) fn encode(
+    module: &Module,
+    shape: Shape,
+    value: &Value,
+    words: &mut [u32],
+    word: usize,
+    host: bool,
+) -> Result<()> {
     let Value::Composite(values) = value else {
         words[word] = value.word();
         return Ok(());
@@ -153,11 +160,11 @@ pub fn encode(module: &Module, shape: Shape, value: &Value, words: &mut [u32], w
 }
 
 /// The zero value of a type.
-pub fn zero(module: &Module, shape: Shape) -> Result<Value> {
+pub(crate) fn zero(module: &Module, shape: Shape) -> Result<Value> {
     decode(module, shape, &vec![0; size(module, shape, false)?], 0, false)
 }
 
 /// Scalars of a type of fixed size.
-pub fn scalars(module: &Module, shape: Shape) -> Result<usize> {
+pub(crate) fn scalars(module: &Module, shape: Shape) -> Result<usize> {
     size(module, shape, false)
 }

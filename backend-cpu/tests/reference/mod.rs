@@ -15,7 +15,7 @@ mod memory;
 mod session;
 mod value;
 
-pub use session::Reference;
+pub(crate) use session::Reference;
 
 use sightlines_backend::{ErrorKind, Result};
 

@@ -10,7 +10,7 @@ use sightlines_backend::{
 use super::dispatch::dispatch;
 
 /// The scalar evaluator.
-pub struct Reference;
+pub(crate) struct Reference;
 
 struct Memory {
     programs: Vec<Arc<Program>>,

@@ -10,7 +10,7 @@ use super::memory::Pointer;
 use super::unsupported;
 
 #[derive(Clone, Debug, PartialEq)]
-pub enum Value {
+pub(crate) enum Value {
     Bool(bool),
     I32(i32),
     U32(u32),
@@ -22,7 +22,7 @@ pub enum Value {
 use Value::{Bool, Composite, F32, I32, U32};
 
 impl Value {
-    pub fn literal(literal: Literal) -> Result<Self> {
+    pub(crate) fn literal(literal: Literal) -> Result<Self> {
         match literal {
             Literal::Bool(x) => Ok(Bool(x)),
             Literal::I32(x) => Ok(I32(x)),
@@ -33,7 +33,7 @@ impl Value {
     }
 
     /// The scalar of `scalar`'s type whose memory word is `word`.
-    pub fn from_word(scalar: Scalar, word: u32) -> Result<Self> {
+    pub(crate) fn from_word(scalar: Scalar, word: u32) -> Result<Self> {
         match (scalar.kind, scalar.width) {
             (ScalarKind::Bool, _) => Ok(Bool(word != 0)),
             (ScalarKind::Sint, 4) => Ok(I32(word as i32)),
@@ -44,7 +44,7 @@ impl Value {
     }
 
     /// The memory word of a scalar.
-    pub fn word(&self) -> u32 {
+    pub(crate) fn word(&self) -> u32 {
         match *self {
             Bool(x) => u32::from(x),
             I32(x) => x as u32,
@@ -54,21 +54,21 @@ impl Value {
         }
     }
 
-    pub fn bool(&self) -> bool {
+    pub(crate) fn bool(&self) -> bool {
         match self {
             Bool(x) => *x,
             other => panic!("not a bool: {other:?}"),
         }
     }
 
-    pub fn f32(&self) -> f32 {
+    pub(crate) fn f32(&self) -> f32 {
         match self {
             F32(x) => *x,
             other => panic!("not an f32: {other:?}"),
         }
     }
 
-    pub fn pointer(&self) -> &Pointer {
+    pub(crate) fn pointer(&self) -> &Pointer {
         match self {
             Value::Pointer(pointer) => pointer,
             other => panic!("not a pointer: {other:?}"),
@@ -76,32 +76,32 @@ impl Value {
     }
 
     /// The parts of a composite; a scalar is its own only part.
-    pub fn parts(&self) -> &[Value] {
+    pub(crate) fn parts(&self) -> &[Value] {
         match self {
             Composite(parts) => parts,
             scalar => std::slice::from_ref(scalar),
         }
     }
 
-    pub fn floats(&self) -> Vec<f32> {
+    pub(crate) fn floats(&self) -> Vec<f32> {
         self.parts().iter().map(Value::f32).collect()
     }
 
-    pub fn words(&self) -> Vec<u32> {
+    pub(crate) fn words(&self) -> Vec<u32> {
         self.parts().iter().map(Value::word).collect()
     }
 
-    pub fn vector(components: impl IntoIterator<Item = f32>) -> Self {
+    pub(crate) fn vector(components: impl IntoIterator<Item = f32>) -> Self {
         Composite(components.into_iter().map(F32).collect())
     }
 
-    pub fn is_matrix(&self) -> bool {
+    pub(crate) fn is_matrix(&self) -> bool {
         matches!(self.parts().first(), Some(Composite(_)))
     }
 }
 
 /// Applies `f` to corresponding scalars of `args`; a scalar beside a composite serves all its parts.
-pub fn scalarwise(args: &[&Value], f: &dyn Fn(&[&Value]) -> Result<Value>) -> Result<Value> {
+pub(crate) fn scalarwise(args: &[&Value], f: &dyn Fn(&[&Value]) -> Result<Value>) -> Result<Value> {
     let parts = args.iter().find_map(|a| if let Composite(parts) = a { Some(parts.len()) } else { None });
     let Some(parts) = parts else { return f(args) };
     let part = |i: usize| {
@@ -112,7 +112,7 @@ pub fn scalarwise(args: &[&Value], f: &dyn Fn(&[&Value]) -> Result<Value>) -> Re
 }
 
 /// `as`: a conversion where `convert` is set, else a change of type with the same bits.
-pub fn cast(value: &Value, kind: ScalarKind, convert: Option<u8>) -> Result<Value> {
+pub(crate) fn cast(value: &Value, kind: ScalarKind, convert: Option<u8>) -> Result<Value> {
     scalarwise(&[value], &|args| {
         let x = args[0];
         let Some(width) = convert else { return Value::from_word(Scalar { kind, width: 4 }, x.word()) };

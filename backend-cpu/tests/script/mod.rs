@@ -7,10 +7,10 @@ use sightlines_backend::{Backend, BufferId, Command, Dispatch, Groups, Job, Link
 use crate::engines::Engine;
 
 /// Words of each buffer, by binding.
-pub type Buffers = BTreeMap<u32, Vec<u32>>;
+pub(crate) type Buffers = BTreeMap<u32, Vec<u32>>;
 
 /// What a file says.
-pub struct Script {
+pub(crate) struct Script {
     path: String,
     text: String,
     buffers: Buffers,
@@ -34,7 +34,7 @@ enum Count {
 }
 
 impl Script {
-    pub fn parse(path: &str, text: String) -> Result<Self, String> {
+    pub(crate) fn parse(path: &str, text: String) -> Result<Self, String> {
         let mut script = Script {
             path: path.to_owned(),
             text: String::new(),
@@ -92,7 +92,7 @@ impl Script {
     }
 
     /// Runs everything on one machine and compares.
-    pub fn run(&self, engine: &Engine) -> Result<(), String> {
+    pub(crate) fn run(&self, engine: &Engine) -> Result<(), String> {
         let silent = self.expected.is_empty() && self.trap.is_none() && self.fails.is_none();
         if silent || self.dispatches.is_empty() {
             return Err(format!("{}: runs or expects nothing", self.path));
@@ -116,7 +116,7 @@ impl Script {
     }
 
     /// All buffers as they are after the run.
-    pub fn execute(&self, backend: &dyn Backend) -> Result<Buffers, String> {
+    pub(crate) fn execute(&self, backend: &dyn Backend) -> Result<Buffers, String> {
         let linked = Linked::single(&self.path, &self.text).map_err(|e| e.to_string())?;
         let program = Program::unlinted(&self.path, linked).map_err(|e| e.to_string())?;
         let mut job = Job::new();
