@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::fault::Injection;
@@ -46,7 +47,7 @@ pub struct RunArgs {
     #[arg(long, value_delimiter = ',', value_name = "NAME")]
     pub backend: Vec<BackendName>,
     /// Adapter by part of its name or driver; may be repeated [default: all Vulkan, Metal and DX12 adapters].
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", value_parser = NonEmptyStringValueParser::new())]
     pub adapter: Vec<String>,
     /// Cases whose `kernel::case` matches; with `!` in front, those that do not; may be repeated.
     #[arg(long, value_name = "REGEX|!REGEX", allow_hyphen_values = true)]
@@ -61,7 +62,7 @@ pub struct RunArgs {
     #[arg(long)]
     pub quick: bool,
     /// End with code 3 unless this backend or adapter takes part; may be repeated.
-    #[arg(long, value_name = "wgpu|ADAPTER")]
+    #[arg(long, value_name = "wgpu|ADAPTER", value_parser = NonEmptyStringValueParser::new())]
     pub require: Vec<String>,
     /// Reports to make.
     #[arg(long, value_delimiter = ',', default_value = "text", value_name = "FORMAT")]
