@@ -1,14 +1,16 @@
 //! Every subject under criterion, in one process, on the interpreter and on every adapter: ids `kernel/case/backend`.
 //!
 //! `cargo bench -p sightlines-benches` takes criterion's own options; `cargo xtask bench` makes the numbers that are
-//! compared. Run as a test, each subject runs once and its outputs are compared between machines.
+//! compared. Run as a test, each subject runs once and its outputs are compared between machines; where an adapter that
+//! `SIGHTLINES_REQUIRE` names (a comma-separated list) is missing, that is a failure.
 
 use std::collections::HashMap;
+use std::io::{self, Write};
 use std::process::ExitCode;
 
 use criterion::Criterion;
 use sightlines_backend::Backend;
-use sightlines_benches::engine::{adapters_here, choose, interpreters};
+use sightlines_benches::engine::{INSTALL_LAVAPIPE, adapters_here, choose, interpreters, require};
 use sightlines_benches::measure::benchmark;
 use sightlines_benches::{Engine, Error, Prepared, Result, Subject, Threads, subjects};
 
@@ -23,8 +25,16 @@ fn main() -> ExitCode {
 }
 
 fn all(criterion: &mut Criterion) -> Result<()> {
+    let adapters = choose(&adapters_here(), &[])?;
+    let required = std::env::var("SIGHTLINES_REQUIRE").unwrap_or_default();
+    for name in required.split(',').map(str::trim).filter(|name| !name.is_empty() && *name != "cpu") {
+        require(name, &adapters, None)?;
+    }
+    if adapters.is_empty() {
+        writeln!(io::stderr(), "note: no adapter was found, so the interpreter runs alone; {INSTALL_LAVAPIPE}")?;
+    }
     let mut engines = interpreters(&[])?;
-    engines.extend(choose(&adapters_here(), &[])?.into_iter().map(Engine::Wgpu));
+    engines.extend(adapters.into_iter().map(Engine::Wgpu));
     let mut digests = HashMap::new();
     for engine in engines {
         let backend = engine.open(Threads::All)?;

@@ -160,6 +160,19 @@ pub fn choose(found: &[Adapter], names: &[String]) -> Result<Vec<Adapter>> {
     Ok(chosen)
 }
 
+/// Ends with an error unless `required` (`wgpu` or part of an adapter's name or driver) is among the chosen adapters.
+pub fn require(required: &str, chosen: &[Adapter], trouble: Option<&str>) -> Result<()> {
+    let wanted = required.to_lowercase();
+    let part = |text: &str| text.to_lowercase().contains(&wanted);
+    if chosen.iter().any(|a| wanted == "wgpu" || part(&a.name) || part(&a.driver)) {
+        return Ok(());
+    }
+    let reason = trouble.map_or_else(String::new, |trouble| format!("\n  reason: {trouble}"));
+    Err(Error::Missing(format!(
+        "`{required}` is required and does not take part{reason}\n  remedy: for lavapipe, {INSTALL_LAVAPIPE}"
+    )))
+}
+
 /// The interpreter's engines: the named levels, or the best.
 pub fn interpreters(levels: &[String]) -> Result<Vec<Engine>> {
     let available: Vec<&str> = Simd::available().into_iter().map(Simd::name).collect();
@@ -219,5 +232,15 @@ mod tests {
         let best = Simd::available().last().unwrap().name().to_owned();
         assert_eq!(interpreters(&[]).unwrap(), [Engine::Cpu { simd: best.clone() }]);
         assert_eq!(interpreters(&[best.clone(), best.clone()]).unwrap(), [Engine::Cpu { simd: best }]);
+    }
+
+    #[test]
+    fn what_is_required_must_take_part() {
+        for name in ["llvmpipe", "driver", "wgpu"] {
+            require(name, &[adapter("llvmpipe (LLVM 15)", &[])], None).unwrap();
+            assert!(matches!(require(name, &[], None), Err(Error::Missing(_))));
+        }
+        let error = require("radeon", &[], Some("no loader")).unwrap_err().to_string();
+        assert!(error.contains("reason: no loader") && error.contains(INSTALL_LAVAPIPE), "{error}");
     }
 }

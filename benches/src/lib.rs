@@ -5,8 +5,9 @@
 //!
 //! The *dispatches* of a case, and nothing else: programs compiled, memory resident on the device, inputs uploaded.
 //! [`Prepared`] runs the whole job once, then repeats one recording that holds all its dispatches in order; criterion
-//! times that submission until the device has finished it. Uploads and read-backs are outside. Outputs of the first run
-//! are hashed, and engines that differ are a failure: a wrong answer has no speed.
+//! times that submission until the device has finished it, except that a long one is timed directly ([`Sampling`]).
+//! Uploads and read-backs are outside. Outputs of the first run are hashed, and engines that differ are a failure: a wrong
+//! answer has no speed.
 //!
 //! # How engines are compared
 //!
@@ -14,8 +15,8 @@
 //! thread it is pinned to one core with `taskset`, `LP_NUM_THREADS=1` is set for lavapipe, and the interpreter has one
 //! thread; what is timed is the CPU time of the child's process ([`Clock`]), so that other work on the machine does not
 //! count. On all cores nothing is pinned and wall time is taken. For each subject the rounds alternate between engines,
-//! forward and backward in turn. A row's time is the median of its rounds' medians; `ratio_to_lavapipe` is the median of the *rounds'*
-//! ratios, interpreter over lavapipe, so that a load which both engines of a round suffer cancels.
+//! forward and backward in turn. A row's time is the median of its rounds' medians; `ratio_to_lavapipe` is the median of
+//! the *rounds'* ratios, interpreter over lavapipe, so that a load which both engines of a round suffer cancels.
 //!
 //! `lane_ops` is the interpreter's work for one repetition: for each vector instruction it executes, the lanes of the
 //! 16-lane chunks that the instruction works on ([`Session::lane_ops`](sightlines_backend::Session::lane_ops)). It is

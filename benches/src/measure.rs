@@ -16,6 +16,7 @@ use sightlines_backend::{Backend, Command, Job, Outputs, Recording, Result as Ba
 
 use crate::clock::Clock;
 use crate::error::{Error, Result};
+use crate::statistics::median;
 use crate::subject::Subject;
 
 /// How long criterion measures once.
@@ -25,15 +26,21 @@ pub struct Sampling {
     pub samples: usize,
     /// Milliseconds of warming up.
     pub warm_up: u64,
-    /// Milliseconds to measure for; a subject that takes longer than its share of a sample is run once a sample.
+    /// Milliseconds to measure for.
     pub measure: u64,
+    /// A repetition of at least so many milliseconds is timed [`REPETITIONS`] times and not by criterion, which takes
+    /// ten samples at least.
+    pub long: u64,
 }
+
+/// How often a long repetition is timed; the median counts.
+pub const REPETITIONS: usize = 3;
 
 impl Sampling {
     /// For numbers that are kept.
-    pub const FULL: Sampling = Sampling { samples: 10, warm_up: 100, measure: 400 };
+    pub const FULL: Sampling = Sampling { samples: 10, warm_up: 100, measure: 400, long: 250 };
     /// For a look.
-    pub const QUICK: Sampling = Sampling { samples: 10, warm_up: 20, measure: 100 };
+    pub const QUICK: Sampling = Sampling { samples: 10, warm_up: 20, measure: 100, long: 50 };
 }
 
 /// A job on a machine: memory filled, and one recording that holds nothing but its dispatches.
@@ -120,7 +127,7 @@ pub fn benchmark<M: Measurement>(
     failure.map_or(Ok(()), |error| Err(error.into()))
 }
 
-/// Median time of one repetition in nanoseconds, by criterion, whose files go below `folder`.
+/// Median time of one repetition in nanoseconds: by criterion, whose files go below `folder`, unless it is long.
 pub fn median_ns(
     subject: &Subject,
     backend: &str,
@@ -128,6 +135,9 @@ pub fn median_ns(
     (clock, sampling): (Clock, Sampling),
     folder: &Path,
 ) -> Result<f64> {
+    if let Some(median) = long_ns(prepared, clock, sampling)? {
+        return Ok(median);
+    }
     let new = folder.join(subject.kernel).join(&subject.case).join(backend).join("new");
     // An estimate of an earlier run must not pass for this one's.
     if new.exists() {
@@ -147,6 +157,20 @@ pub fn median_ns(
     let estimates: Estimates = serde_json::from_slice(&text)
         .map_err(|e| Error::Measurement(format!("{}: not criterion's estimates: {e}", file.display())))?;
     Ok(estimates.median.point_estimate)
+}
+
+/// The median of a few repetitions, where the first is long.
+fn long_ns(prepared: &mut Prepared<'_>, clock: Clock, sampling: Sampling) -> Result<Option<f64>> {
+    let mut times = Vec::new();
+    while times.len() < REPETITIONS {
+        let start = clock.start();
+        prepared.repeat()?;
+        times.push(clock.to_f64(&clock.end(start)));
+        if times[0] < sampling.long as f64 * 1e6 {
+            return Ok(None);
+        }
+    }
+    Ok(median(&times))
 }
 
 /// The part of criterion's `estimates.json` that is used.
@@ -184,6 +208,15 @@ mod tests {
     }
 
     #[test]
+    fn long_repetitions_are_timed_without_criterion_and_short_ones_are_not() {
+        let backend = CpuBackend::new(Config::default());
+        let mut prepared = Prepared::new(&backend, &micro::ALL[3].job().unwrap()).unwrap();
+        let mut time = |long| long_ns(&mut prepared, Clock::Wall, Sampling { long, ..Sampling::QUICK }).unwrap();
+        assert!(time(0).is_some_and(|ns| ns > 0.0));
+        assert_eq!(time(3_600_000), None);
+    }
+
+    #[test]
     fn a_failing_repetition_is_an_error_and_no_time() {
         let backend = CpuBackend::new(Config { fuel: 100, ..Config::default() });
         let job = micro::ALL[0].job().unwrap();
@@ -197,6 +230,9 @@ mod tests {
         let folder = std::env::temp_dir().join(format!("sightlines-benches-{}", std::process::id()));
         let result = median_ns(&subject, "cpu", &mut prepared, (Clock::Wall, Sampling::QUICK), &folder);
         assert!(matches!(result, Err(Error::Backend(_))));
+        let mut criterion = Criterion::default().without_plots().output_directory(&folder).sample_size(10);
+        criterion = criterion.warm_up_time(Duration::from_millis(1)).measurement_time(Duration::from_millis(1));
+        assert!(matches!(benchmark(&mut criterion, &subject, "cpu", &mut prepared), Err(Error::Backend(_))));
         fs::remove_dir_all(&folder).unwrap();
     }
 }

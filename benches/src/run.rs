@@ -7,7 +7,7 @@ use std::process::{Command, Stdio};
 use crate::baseline::Baseline;
 use crate::cli::{BenchArgs, ThreadSetting};
 use crate::clock::Clock;
-use crate::engine::{self, Adapter, Engine, INSTALL_LAVAPIPE, Threads};
+use crate::engine::{self, Engine, INSTALL_LAVAPIPE, Threads};
 use crate::error::{EXIT_FAILED, EXIT_OK, Error, Result};
 use crate::measure::Sampling;
 use crate::report::{Report, Row};
@@ -103,7 +103,7 @@ fn engines(exe: &Path, args: &BenchArgs, out: &mut impl Write) -> Result<Vec<Eng
     let trouble = found.as_ref().err().map(Error::to_string);
     let adapters = engine::choose(found.as_deref().unwrap_or_default(), &args.adapter)?;
     for required in &args.require {
-        require(required, &adapters, trouble.as_deref())?;
+        engine::require(required, &adapters, trouble.as_deref())?;
     }
     let mut engines: Vec<Engine> = adapters.into_iter().map(Engine::Wgpu).collect();
     if !engines.iter().any(Engine::is_lavapipe) {
@@ -113,20 +113,6 @@ fn engines(exe: &Path, args: &BenchArgs, out: &mut impl Write) -> Result<Vec<Eng
     }
     engines.extend(engine::interpreters(&args.simd)?);
     Ok(engines)
-}
-
-fn require(required: &str, adapters: &[Adapter], trouble: Option<&str>) -> Result<()> {
-    let wanted = required.to_lowercase();
-    let is = |a: &Adapter| {
-        wanted == "wgpu" || a.name.to_lowercase().contains(&wanted) || a.driver.to_lowercase().contains(&wanted)
-    };
-    if adapters.iter().any(is) {
-        return Ok(());
-    }
-    let reason = trouble.map_or_else(String::new, |trouble| format!("\n  reason: {trouble}"));
-    Err(Error::Missing(format!(
-        "`{required}` is required and does not take part{reason}\n  remedy: for lavapipe, {INSTALL_LAVAPIPE}"
-    )))
 }
 
 impl Plan<'_> {
@@ -280,6 +266,7 @@ fn progress(text: &str) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::engine::Adapter;
 
     fn measured(median_ns: f64, digest: u64, lane_ops: Option<u64>) -> Measured {
         Measured { median_ns, digest, lane_ops }
@@ -330,15 +317,6 @@ mod tests {
         let engines = [interpreter(), Engine::Cpu { simd: "sse2".into() }];
         let series = [vec![measured(1.0, 1, Some(3))], vec![measured(1.0, 1, Some(4))]];
         assert!(difference(&subject("micro/gather"), &engines, &series).unwrap().contains("3 and 4 lane-operations"));
-    }
-
-    #[test]
-    fn what_is_required_must_take_part() {
-        let Engine::Wgpu(adapter) = lavapipe() else { unreachable!() };
-        for name in ["llvmpipe", "mesa", "wgpu"] {
-            require(name, std::slice::from_ref(&adapter), None).unwrap();
-            assert!(matches!(require(name, &[], None), Err(Error::Missing(_))));
-        }
     }
 
     #[cfg(unix)]
