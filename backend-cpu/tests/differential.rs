@@ -65,8 +65,9 @@ fn fails(program: &Generated, reference: &Engine, engine: &Engine, message: &str
 /// The program with what the reference makes of it as its expectations.
 fn expected(program: &Generated, reference: &Engine) -> Result<String, String> {
     let text = program.render();
-    let buffers = Script::parse("generated.wgsl", text.clone())?.execute(reference.backend.as_ref())?;
-    Ok(expectations(&buffers) + &text)
+    let (buffers, counts) = Script::parse("generated.wgsl", text.clone())?.execute(reference.backend.as_ref())?;
+    let counts = counts.unwrap_or_default().map(|c| c.to_string()).join(" ");
+    Ok(format!("{}//! counts: {counts}\n{text}", expectations(&buffers)))
 }
 
 /// Runs a program; a panic is a failure like any other.

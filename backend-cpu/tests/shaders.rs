@@ -9,6 +9,7 @@
 //! //! dispatch: main 2 1 1         entry point and workgroups
 //! //! indirect: main 0 16          entry point, buffer and byte offset of the workgroup counts
 //! //! expect 1: i32 3 -4 5 0*13    the buffer's words after all dispatches; v*n is n times v
+//! //! counts: 64 2 1 12 0 0        semantic costs: invocations, loads, stores, bytes, atomics, barriers
 //! //! trap: 12 out of bounds       with bounds that trap, line 12 must trap with a message that contains this text
 //! //! fails: non-uniform           every machine must refuse with a message that contains this text
 //! ```

@@ -1,7 +1,7 @@
 // All invocations jump over statements that compute the same index as the continuing block.
 //! buffer 0: u32 1 2 3 4
 //! dispatch: main 1 1 1
-//! expect 0: u32 3 4 5 4
+//! expect 0: u32 3 4 5 1
 
 @group(0) @binding(0) var<storage, read_write> data: array<u32>;
 var<workgroup> ring: array<u32, 4>;
@@ -16,10 +16,10 @@ fn main(@builtin(local_invocation_index) i: u32) {
         if data[0] < 77u {
             continue;
         }
-        v = ring[i + 1u];
+        v = ring[(i + 1u) % 4u];
         continuing {
             k++;
-            v = ring[i + 1u] + (k & 1u) - 1u;
+            v = ring[(i + 1u) % 4u] + (k & 1u) - 1u;
             break if k > 2u;
         }
     }

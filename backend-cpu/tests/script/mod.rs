@@ -9,6 +9,9 @@ use crate::engines::Engine;
 /// Words of each buffer, by binding.
 pub(crate) type Buffers = BTreeMap<u32, Vec<u32>>;
 
+/// What a run leaves, with its costs.
+pub(crate) type Outcome = (Buffers, Option<[u64; 6]>);
+
 /// What a file says.
 pub(crate) struct Script {
     path: String,
@@ -19,6 +22,8 @@ pub(crate) struct Script {
     /// Line and text of the message.
     trap: Option<(u32, String)>,
     fails: Option<String>,
+    /// Semantic costs: invocations, loads, stores, bytes, atomics, barriers.
+    counts: Option<[u64; 6]>,
 }
 
 struct Launch {
@@ -43,6 +48,7 @@ impl Script {
             expected: BTreeMap::new(),
             trap: None,
             fails: None,
+            counts: None,
         };
         let mut overrides = Vec::new();
         for (index, line) in text.lines().enumerate() {
@@ -85,6 +91,10 @@ impl Script {
                 let (line, message) = rest.split_once(' ')?;
                 self.trap = Some((line.parse().ok()?, message.to_owned()));
             }
+            ("counts", _) => {
+                let counts: Vec<u64> = rest.split_whitespace().map(|c| c.parse().ok()).collect::<Option<_>>()?;
+                self.counts = Some(counts.try_into().ok()?);
+            }
             ("fails", _) => self.fails = Some(rest.to_owned()),
             _ => return None,
         }
@@ -107,7 +117,12 @@ impl Script {
             let place = format!("{}:{line}:", self.path);
             return refusal(result, message).and(refusal(self.execute(engine.backend.as_ref()), &place));
         }
-        let outputs = result?;
+        let (outputs, counts) = result?;
+        if let (Some(expected), Some(got)) = (self.counts, counts)
+            && expected != got
+        {
+            return Err(format!("{}: counts differ: expected {expected:?}, got {got:?}", self.path));
+        }
         for (binding, expected) in &self.expected {
             let got = outputs.get(binding).ok_or_else(|| format!("{}: no buffer {binding}", self.path))?;
             compare(&self.path, *binding, expected, got)?;
@@ -115,8 +130,8 @@ impl Script {
         Ok(())
     }
 
-    /// All buffers as they are after the run.
-    pub(crate) fn execute(&self, backend: &dyn Backend) -> Result<Buffers, String> {
+    /// All buffers as they are after the run, and the costs from machines that count.
+    pub(crate) fn execute(&self, backend: &dyn Backend) -> Result<Outcome, String> {
         let linked = Linked::single(&self.path, &self.text).map_err(|e| e.to_string())?;
         let program = Program::unlinted(&self.path, linked).map_err(|e| e.to_string())?;
         let mut job = Job::new();
@@ -139,13 +154,26 @@ impl Script {
         for (binding, &buffer) in &buffers {
             job.read(format!("{binding}"), buffer);
         }
-        let outputs = backend.run(&job).map_err(|e| e.to_string())?;
-        let word = |b: &[u8]| u32::from_le_bytes([b[0], b[1], b[2], b[3]]);
-        Ok(buffers.into_keys().zip(outputs.iter().map(|bytes| bytes.chunks_exact(4).map(word).collect())).collect())
+        sightlines_backend::check::job(&job).map_err(|e| e.to_string())?;
+        run_job(&job, backend).map_err(|e| e.to_string()).map(|(outputs, counts)| {
+            let word = |b: &[u8]| u32::from_le_bytes([b[0], b[1], b[2], b[3]]);
+            let words = outputs.iter().map(|bytes| bytes.chunks_exact(4).map(word).collect());
+            (buffers.into_keys().zip(words).collect(), counts)
+        })
     }
 }
 
-fn refusal(result: Result<Buffers, String>, wanted: &str) -> Result<(), String> {
+fn run_job(job: &Job, backend: &dyn Backend) -> sightlines_backend::Result<(Vec<Vec<u8>>, Option<[u64; 6]>)> {
+    let mut session = backend.open(&job.programs, &job.buffers)?;
+    for recording in &job.recordings {
+        session.submit(recording)?;
+    }
+    let outputs = job.reads.iter().map(|read| session.read(read)).collect::<Result<_, _>>()?;
+    let counts = session.counts().map(|c| [c.invocations, c.loads, c.stores, c.bytes, c.atomics, c.barriers]);
+    Ok((outputs, counts))
+}
+
+fn refusal(result: Result<Outcome, String>, wanted: &str) -> Result<(), String> {
     match result {
         Ok(_) => Err(format!("ran, but must fail with `{wanted}`")),
         Err(message) if message.contains(wanted) => Ok(()),
