@@ -2,15 +2,18 @@
 
 use std::collections::BTreeMap;
 
-use sightlines_backend::{Backend, BufferId, Command, Dispatch, Groups, Job, Linked, Program};
+use sightlines_backend::{Backend, BufferId, Command, Dispatch, Groups, Job, Linked, Outputs, Program};
 
 use crate::engines::Engine;
 
 /// Words of each buffer, by binding.
 pub(crate) type Buffers = BTreeMap<u32, Vec<u32>>;
 
+/// Semantic costs, from machines that count.
+type Costs = Option<[u64; 6]>;
+
 /// What a run leaves, with its costs.
-pub(crate) type Outcome = (Buffers, Option<[u64; 6]>);
+pub(crate) type Outcome = (Buffers, Costs);
 
 /// What a file says.
 pub(crate) struct Script {
@@ -163,7 +166,7 @@ impl Script {
     }
 }
 
-fn run_job(job: &Job, backend: &dyn Backend) -> sightlines_backend::Result<(Vec<Vec<u8>>, Option<[u64; 6]>)> {
+fn run_job(job: &Job, backend: &dyn Backend) -> sightlines_backend::Result<(Outputs, Costs)> {
     let mut session = backend.open(&job.programs, &job.buffers)?;
     for recording in &job.recordings {
         session.submit(recording)?;
