@@ -67,6 +67,8 @@ fn bad_command_lines_and_bad_input_end_with_2() {
         ("shadows good.obj --light-size -1", "light size: -1 is out of range"),
         ("shadows good.obj --light-size nan", "light size: NaN is out of range"),
         ("shadows good.obj --up x", "invalid value 'x'"),
+        ("shadows good.obj -o good.obj", "good.obj: the file is read, or is the target of another result"),
+        ("shadows --scene box -o a --exr ./a", "./a: the file is read, or is the target of another result"),
         ("shadows good.obj --backend cpu --adapter llvmpipe", "--adapter: the interpreter has none"),
         ("shadows good.obj --backend wgpu --threads 2", "--threads: only the interpreter has threads"),
     ] {
@@ -132,9 +134,9 @@ fn a_shadow_is_baked_written_and_reported() {
     );
     let (report, errors) = (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
     assert_eq!((output.status.code(), errors.as_str()), (Some(0), ""), "no progress where nobody looks");
-    assert_eq!(line(&report, "scene "), "box: 12 triangles in 1 parts, 0 of them degenerate");
+    assert_eq!(line(&report, "scene "), "box: 12 triangles in 1 part, 0 degenerate");
     assert_eq!(line(&report, "units "), "metres, y up");
-    assert_eq!(line(&report, "receivers "), "64 x 64, 64 samples on each of 1 lights");
+    assert_eq!(line(&report, "receivers "), "64 x 64, 64 samples on 1 light");
     assert!(line(&report, "backend ").starts_with("cpu, ") && line(&report, "backend ").ends_with(", 1 thread"));
     assert!(line(&report, "grid ").ends_with(" scene units") && line(&report, "time ").ends_with(" s"));
     assert!(report.ends_with("wrote      a.png\nwrote      a.exr\nwrote      a.sets\n"), "{report}");

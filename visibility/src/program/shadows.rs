@@ -1,13 +1,14 @@
 //! `sightlines shadows`: a scene in, a picture of the visible share and its sets out, and a short report.
 
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use sightlines_backend::BackendInfo;
+use sightlines_visibility::error::Place;
 use sightlines_visibility::image::{Share, write_exr, write_png};
 use sightlines_visibility::setup::Setup;
-use sightlines_visibility::shadows::{Bake, bake};
+use sightlines_visibility::shadows::bake;
 use sightlines_visibility::{output, scene, sets};
 
 use super::cli::ShadowsArgs;
@@ -33,9 +34,31 @@ impl Outputs {
         }
     }
 
+    /// Refuses targets that cannot be written, that are one file, or that would replace what is read.
+    fn check(&self, args: &ShadowsArgs) -> sightlines_visibility::Result<()> {
+        let mut taken: Vec<PathBuf> =
+            args.source.model.iter().chain(&args.source.scene_file).map(|path| real(path)).collect();
+        for path in self.paths() {
+            output::probe(path)?;
+            if taken.contains(&real(path)) {
+                let remedy = "give every result a file of its own";
+                return Err(Place::file(path).error("the file is read, or is the target of another result", remedy));
+            }
+            taken.push(real(path));
+        }
+        Ok(())
+    }
+
     fn paths(&self) -> impl Iterator<Item = &Path> {
         self.png.iter().chain(&self.exr).chain(&self.sets).map(PathBuf::as_path)
     }
+}
+
+/// A path by which a file is known whatever name it is given, whether it is there or not.
+fn real(path: &Path) -> PathBuf {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let beside = || Ok(folder.canonicalize()?.join(path.file_name().unwrap_or_default()));
+    path.canonicalize().or_else(|_: io::Error| beside()).unwrap_or_else(|_: io::Error| path.to_owned())
 }
 
 /// `a.sets` of one light; `a.0.sets`, `a.1.sets`, … of several.
@@ -51,16 +74,19 @@ fn numbered(path: &Path, light: usize, lights: usize) -> PathBuf {
 pub(crate) fn run(args: &ShadowsArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let setup = setup(args)?;
     let outputs = Outputs::new(args, setup.lights.len());
-    outputs.paths().try_for_each(output::probe)?;
+    outputs.check(args)?;
     let backend = machine::open(&args.machine)?;
     describe(&setup, out)?;
-    let start = Instant::now();
+    let mut time = Duration::ZERO;
     let mut request = setup.request();
     let mut total: Option<(Share, f64)> = None;
     for (number, &light) in setup.lights.iter().enumerate() {
         request.light = light;
         let progress = Progress::new(format!("light {} of {}", number + 1, setup.lights.len()));
-        let baked: Bake = bake(&*backend, &request, &mut |share| progress.show(share))?;
+        let start = Instant::now();
+        let baked = bake(&*backend, &request, &mut |share| progress.show(share))?;
+        time += start.elapsed();
+        drop(progress);
         if let Some(path) = outputs.sets.get(number) {
             sets::write(path, &baked)?;
         }
@@ -75,7 +101,6 @@ pub(crate) fn run(args: &ShadowsArgs, out: &mut dyn Write) -> Result<(), Failure
     }
     // A setup has a light.
     let Some((share, cell)) = total else { return Ok(()) };
-    let time = start.elapsed();
     if let Some(path) = &outputs.png {
         write_png(path, &share, args.bits.into())?;
     }
@@ -100,11 +125,8 @@ fn describe(setup: &Setup, out: &mut dyn Write) -> Result<(), Failure> {
     let scene = &setup.scene;
     let (parts, triangles) = (scene.parts.len(), scene.triangle_count());
     let degenerate = scene.degenerate_count();
-    writeln!(
-        out,
-        "scene      {}: {triangles} triangles in {parts} parts, {degenerate} of them degenerate",
-        scene.name
-    )?;
+    let (parts, triangles) = (counted(parts, "part"), counted(triangles, "triangle"));
+    writeln!(out, "scene      {}: {triangles} in {parts}, {degenerate} degenerate", scene.name)?;
     writeln!(out, "units      {}, {} up", scene.units, setup.up)?;
     writeln!(out, "bounds     {}", scene.bounds())?;
     Ok(out.flush()?)
@@ -119,9 +141,14 @@ fn conclude(
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     let (lights, side) = (setup.lights.len(), share.resolution);
-    writeln!(out, "receivers  {side} x {side}, {} samples on each of {lights} lights", setup.samples)?;
+    writeln!(out, "receivers  {side} x {side}, {} samples on {}", setup.samples, counted(lights, "light"))?;
     writeln!(out, "grid       cells of {cell:.3e} scene units")?;
     writeln!(out, "backend    {}", machine::describe(info))?;
     writeln!(out, "time       {:.3} s", time.as_secs_f64())?;
     Ok(writeln!(out, "visible    {:.6} of the light in the mean", share.mean())?)
+}
+
+/// A number of things.
+fn counted(count: usize, thing: &str) -> String {
+    format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
 }

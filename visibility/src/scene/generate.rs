@@ -11,7 +11,7 @@ use super::{Mesh, Scene};
 /// A scene by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Generator {
-    /// Seven palms: trunks of stacked rings, curved fronds with leaflets.
+    /// Five palms: trunks of stacked rings, curved fronds with leaflets.
     Palms,
     /// One cube in the air.
     Box,

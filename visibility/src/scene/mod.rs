@@ -1,7 +1,7 @@
 //! Scenes: triangles in named parts, in scene units, from files or from generators.
 //!
 //! Invariant of every [`Scene`] that [`load`] or [`generate()`] gives: it has a triangle, every index is in range, every
-//! coordinate is finite and within [`MAX_COORDINATE`], and its vertices do not all coincide. Degenerate triangles are
+//! coordinate is finite and within [`MAX_COORDINATE`], and its vertices do not all coincide or all but. Degenerate triangles are
 //! kept, for they hide nothing and cost little, and counted, for they hint at a broken export.
 
 mod generate;
@@ -28,6 +28,8 @@ pub const MAX_VERTICES: usize = 1 << 24;
 pub const MAX_TRIANGLES: usize = 1 << 23;
 /// Largest magnitude of a coordinate. Squares and cubes of it are far from overflow.
 pub const MAX_COORDINATE: f64 = 1e12;
+/// Least radius of a scene, as a share of its distance from the origin.
+pub const LEAST_RADIUS: f64 = 1e-9;
 
 /// A named part of a scene.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -113,8 +115,15 @@ impl Scene {
         if self.triangle_count() == 0 {
             return Err(place().error("there is no triangle in it", "export a mesh with faces"));
         }
-        if self.bounds().radius == 0.0 {
+        let Bounds { min, max, radius, .. } = self.bounds();
+        if radius == 0.0 {
             return Err(place().error("all its vertices coincide", "check the scale of the export"));
+        }
+        let farthest = min.iter().chain(&max).map(|c| c.abs()).fold(0.0, f64::max);
+        if radius < LEAST_RADIUS * farthest {
+            let what =
+                format!("its radius is {radius:e}, and it is {farthest:e} from the origin: rounding has its shape");
+            return Err(place().error(what, "move the mesh to the origin, and export it again"));
         }
         Ok(self)
     }

@@ -23,7 +23,7 @@ fn generated_scenes_are_the_same_bits_everywhere() {
         format!("{} {} {} {}", scene.name, scene.parts.len(), scene.triangle_count(), digest(&scene))
     });
     let expected = [
-        "palms 7 28944 763fac34b72207ae",
+        "palms 5 29040 040a0a3df02de87d",
         "box 1 12 d5ed236d768eb758",
         "quads 2 4 a1290d58841667e0",
         "colonnade 14 744 7962f9a9a29880a7",

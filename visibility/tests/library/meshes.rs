@@ -69,6 +69,7 @@ fn what_is_not_a_shape_is_refused() {
         ("o cloud\nv 0 0 0\nv 1 0 0\nv 0 -inf 0\nf 1 2 3\n", "mesh `cloud`, vertex 3: the coordinates (0, -inf, 0)"),
         ("v 0 0 0\nv 1 0 0\nv 0 1e400 0\nf 1 2 3\n", "are not finite"),
         ("v 0 0 0\nv 1 0 0\nv 0 2e12 0\nf 1 2 3\n", "are beyond 1e12"),
+        ("v 1e11 0 0\nv 1e11 0 1\nv 1e11 1 0\nf 1 2 3\n", "and it is 1e11 from the origin"),
     ];
     for (text, expected) in cases {
         let message = refusal(load_bytes("mesh.obj", text), "mesh.obj");

@@ -7,14 +7,14 @@ use std::f64::consts::TAU;
 use crate::scene::Mesh;
 use crate::vector::{Vector, add, cross, normalize, scale, sub};
 
-const PALMS: u32 = 7;
+const PALMS: u32 = 5;
 /// Frusta of a trunk, each wider at its top: the scars of old leaves.
 const TRUNK_RINGS: u32 = 12;
 const TRUNK_SIDES: u32 = 8;
 /// Pieces of a frond's midrib.
 const MIDRIB_PIECES: u32 = 12;
 /// Leaflets on each side of a midrib.
-const LEAFLETS: u32 = 47;
+const LEAFLETS: u32 = 62;
 const UP: Vector = [0.0, 1.0, 0.0];
 
 /// Numbers from a seed, by an integer hash (SplitMix64) of a counter.
@@ -43,7 +43,7 @@ pub(super) fn grove() -> Vec<Mesh> {
     (0..PALMS)
         .map(|number| {
             let angle = TAU * f64::from(number) / f64::from(PALMS - 1) + random.between(-0.15, 0.15);
-            let distance = if number == 0 { 0.3 } else { random.between(4.0, 4.7) };
+            let distance = if number == 0 { 0.3 } else { random.between(3.2, 3.8) };
             palm(number, scale(heading(angle), distance), angle, &mut random)
         })
         .collect()
@@ -51,18 +51,18 @@ pub(super) fn grove() -> Vec<Mesh> {
 
 fn palm(number: u32, foot: Vector, away: f64, random: &mut Random) -> Mesh {
     let mut mesh = Mesh::named(format!("palm {}", number + 1));
-    let height = random.between(2.4, 4.4);
+    let height = random.between(2.0, 3.4);
     let lean = scale(heading(away + random.between(-0.6, 0.6)), random.between(0.2, 0.8));
     let stem = |t: f64| add(add(foot, scale(UP, height * t)), scale(lean, t * t));
     trunk(&mut mesh, stem, random.between(0.10, 0.15));
-    let fronds = 10 + number % 3 - 1;
-    let (first, length) = (random.between(0.0, TAU), random.between(1.75, 2.2));
+    let fronds = 10 + number % 3;
+    let (first, length) = (random.between(0.0, TAU), random.between(2.2, 2.7));
     for index in 0..fronds {
         let turn = TAU * f64::from(index) / f64::from(fronds);
         let frond = Frond {
             root: stem(1.0),
             angle: first + turn + random.between(-0.12, 0.12),
-            curl: random.between(-0.25, 0.25),
+            curl: random.between(-0.4, 0.4),
             rise: random.between(0.35, 0.75),
             droop: random.between(0.55, 0.85),
             length: length * random.between(0.88, 1.08),
@@ -117,7 +117,7 @@ impl Frond {
     fn build(&self, mesh: &mut Mesh) {
         self.midrib(mesh);
         for number in 0..LEAFLETS {
-            let s = 0.14 + 0.86 * (f64::from(number) + 0.5) / f64::from(LEAFLETS);
+            let s = 0.08 + 0.92 * (f64::from(number) + 0.5) / f64::from(LEAFLETS);
             self.leaflet(mesh, s, 1.0);
             self.leaflet(mesh, s, -1.0);
         }
@@ -140,13 +140,13 @@ impl Frond {
         normalize(cross(self.tangent(s), UP))
     }
 
-    /// A blade of two pieces that points outwards and forwards and hangs at its tip; longest in the middle of the frond.
+    /// A blade of two pieces that points outwards and forwards and hangs at its tip.
     fn leaflet(&self, mesh: &mut Mesh, s: f64, side: f64) {
         let tangent = self.tangent(s);
-        let out = normalize(add(scale(self.side(s), side), scale(tangent, 0.55)));
-        let middle = 2.0 * s - 1.0;
-        let length = 0.17 * self.length * (1.0 - 0.7 * middle * middle);
-        let width = 0.008 * self.length;
+        let out = normalize(add(scale(self.side(s), side), scale(tangent, 0.8)));
+        // Longest at a third of the frond, so that the frond is pointed.
+        let length = self.length * (0.035 + 0.34 * s.sqrt() * (1.0 - s));
+        let width = 0.006 * self.length;
         let row = |along: f64, hang: f64, width: f64| {
             let centre = add(self.at(s), add(scale(out, along * length), scale(UP, -hang * length)));
             [sub(centre, scale(tangent, width)), add(centre, scale(tangent, width))]
