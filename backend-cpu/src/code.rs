@@ -302,6 +302,7 @@ pub enum Inst<R = Reg> {
     /// A back-edge: fuel, then a jump.
     Back {
         to: Target,
+        site: u32,
     },
     End,
 }
@@ -386,7 +387,7 @@ impl<R: Copy> Inst<R> {
             Inst::Save { slot } => Inst::Save { slot },
             Inst::Drop { slot } => Inst::Drop { slot },
             Inst::Leave { to } => Inst::Leave { to },
-            Inst::Back { to } => Inst::Back { to },
+            Inst::Back { to, site } => Inst::Back { to, site },
             Inst::End => Inst::End,
         }
     }
@@ -401,7 +402,7 @@ impl<R: Copy> Inst<R> {
             | Inst::Restore { to, .. }
             | Inst::Leave { to }
             | Inst::Exit { to, .. }
-            | Inst::Back { to } => Some(to),
+            | Inst::Back { to, .. } => Some(to),
             _ => None,
         }
     }

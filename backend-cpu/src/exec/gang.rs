@@ -48,7 +48,7 @@ pub(super) struct Launch<'a, W> {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Stop {
     Outside { at: Outside, site: u32 },
-    OutOfFuel,
+    OutOfFuel { site: u32 },
     Barrier { site: u32 },
 }
 
@@ -227,9 +227,9 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
                         pc = to as usize;
                     }
                 }
-                Inst::Back { to } => {
+                Inst::Back { to, site } => {
                     if self.fuel == 0 {
-                        return Err(Stop::OutOfFuel);
+                        return Err(Stop::OutOfFuel { site });
                     }
                     self.fuel -= 1;
                     pc = to as usize;

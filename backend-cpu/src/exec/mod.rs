@@ -225,7 +225,7 @@ impl Grid {
             Stop::Outside { at, site } => {
                 (TrapKind::OutOfBounds { index: at.index, length: at.length }, Some(site), Some(at.lane))
             }
-            Stop::OutOfFuel => (TrapKind::OutOfFuel { limit }, None, None),
+            Stop::OutOfFuel { site } => (TrapKind::OutOfFuel { limit }, Some(site), None),
             Stop::Barrier { site } => (TrapKind::NonUniformBarrier, Some(site), None),
         };
         let invocation = lane.map(|lane| {

@@ -7,7 +7,7 @@ use std::collections::{HashMap, HashSet};
 
 use super::flow::{BlockId, Flow};
 use super::regs::Virtual;
-use super::tree::{Block, Builtin, Construct, Op, Stmt, Tree, Val, Var};
+use super::tree::{Block, Builtin, Construct, Op, Site, Stmt, Tree, Val, Var};
 use crate::code::{AtomicArgs, Inst, Slot, UnOp};
 
 /// Linear code before allocation.
@@ -283,7 +283,7 @@ impl Emitter<'_> {
             Stmt::Barrier(site) => self.push(Inst::Barrier { site: *site }),
             Stmt::Tally(index) => self.push(Inst::Tally { index: *index }),
             Stmt::If { id, cond, accept, reject } => self.branch(*id, *cond, accept, reject),
-            Stmt::Loop { id, body, continuing, break_if } => self.repeat(*id, body, continuing, *break_if),
+            Stmt::Loop { id, body, continuing, break_if, site } => self.repeat(*id, body, continuing, *break_if, *site),
             Stmt::Region { id, body } => self.region(*id, body),
             Stmt::Break(target) => self.leave(*target, false),
             Stmt::Continue(target) => self.leave(*target, true),
@@ -412,7 +412,7 @@ impl Emitter<'_> {
         true
     }
 
-    fn repeat(&mut self, id: Construct, body: &Block, continuing: &Block, break_if: Option<Val>) {
+    fn repeat(&mut self, id: Construct, body: &Block, continuing: &Block, break_if: Option<Val>, site: Site) {
         let info = self.flow.constructs[id.0 as usize];
         let divergent = info.leaves || info.continues;
         let outer_skip = self.skip();
@@ -446,7 +446,7 @@ impl Emitter<'_> {
         }
         self.at += 1;
         self.open.pop();
-        self.push(Inst::Back { to: head as u32 });
+        self.push(Inst::Back { to: head as u32, site });
         self.bind(exit);
         self.out.loops.push((start, self.out.insts.len() as u32));
         if let Some((_, outer)) = masks {

@@ -164,7 +164,7 @@ impl Flow {
                     self.child(tree, reject, *construct, id, false, at);
                     self.constructs[construct.0 as usize].end = *at;
                 }
-                Stmt::Loop { id: construct, body, continuing, break_if } => {
+                Stmt::Loop { id: construct, body, continuing, break_if, .. } => {
                     self.open(*construct, here, false, true);
                     self.child(tree, body, *construct, id, false, at);
                     let tail = self.child(tree, continuing, *construct, id, true, at);

@@ -66,9 +66,9 @@ fn sweep(block: Block, vals: &HashSet<Val>, vars: &HashSet<Var>) -> Block {
                 let empty = accept.is_empty() && reject.is_empty();
                 (!empty).then_some(Stmt::If { id, cond, accept, reject })
             }
-            Stmt::Loop { id, body, continuing, break_if } => {
+            Stmt::Loop { id, body, continuing, break_if, site } => {
                 let (body, continuing) = (sweep(body, vals, vars), sweep(continuing, vals, vars));
-                Some(Stmt::Loop { id, body, continuing, break_if })
+                Some(Stmt::Loop { id, body, continuing, break_if, site })
             }
             Stmt::Region { id, body } => Some(Stmt::Region { id, body: sweep(body, vals, vars) }),
             Stmt::Atomic(mut atomic) => {

@@ -41,7 +41,7 @@ impl<'m> Builder<'m> {
                 self.push(Stmt::If { id, cond, accept, reject });
             }
             Statement::Switch { selector, cases } => self.switch(*selector, cases)?,
-            Statement::Loop { body, continuing, break_if } => self.repeat(body, continuing, *break_if)?,
+            Statement::Loop { body, continuing, break_if } => self.repeat(body, continuing, *break_if, span)?,
             Statement::Break => {
                 self.flush();
                 match self.targets.last() {
@@ -137,8 +137,10 @@ impl<'m> Builder<'m> {
         body: &'m Block,
         continuing: &'m Block,
         break_if: Option<Handle<Expression>>,
+        span: naga::Span,
     ) -> Result<(), Fail> {
         self.flush();
+        let site = self.site(span);
         let id = self.construct();
         self.targets.push(Target::Loop(id));
         let mut tail = Vec::new();
@@ -160,7 +162,7 @@ impl<'m> Builder<'m> {
             Ok(())
         });
         self.targets.pop();
-        self.push(Stmt::Loop { id, body: body?, continuing: tail, break_if: test });
+        self.push(Stmt::Loop { id, body: body?, continuing: tail, break_if: test, site });
         Ok(())
     }
 

@@ -109,6 +109,7 @@ pub(crate) enum Stmt {
         body: Block,
         continuing: Block,
         break_if: Option<Val>,
+        site: Site,
     },
     /// A block that [`Stmt::Break`] leaves: a switch, or an inlined call.
     Region {
