@@ -12,6 +12,7 @@ use std::sync::Arc;
 
 use sightlines_backend::{Define, Kernel, Program, Result};
 
+pub mod exact;
 pub mod grid;
 pub mod half_planes;
 pub mod influence_region;
@@ -26,9 +27,13 @@ pub mod scan;
 pub mod screen;
 pub mod triangles;
 
-/// Makes the registry and the table of WGSL texts from one list.
+/// Makes the registry and the table of WGSL texts from one list; `parts` are further texts of a kernel's folder.
 macro_rules! package {
-    (kernels: $($kernel:ident),* $(,)?; shared: $($shared:ident),* $(,)?;) => {
+    (
+        kernels: $($kernel:ident),* $(,)?;
+        shared: $($shared:ident),* $(,)?;
+        parts: $($folder:ident / $part:ident),* $(,)?;
+    ) => {
         static KERNELS: &[Kernel] = &[$($kernel::KERNEL),*];
 
         /// Package path and text of every WGSL file.
@@ -41,12 +46,17 @@ macro_rules! package {
                 concat!("shared/", stringify!($shared), ".wgsl"),
                 include_str!(concat!("shared/", stringify!($shared), ".wgsl")),
             ),)*
+            $((
+                concat!(stringify!($folder), "/", stringify!($part), ".wgsl"),
+                include_str!(concat!(stringify!($folder), "/", stringify!($part), ".wgsl")),
+            ),)*
         ];
     };
 }
 
 package! {
     kernels:
+        exact,
         half_planes,
         influence_region,
         item_histogram,
@@ -73,6 +83,13 @@ package! {
         root,
         soft_float,
         wide;
+    parts:
+        exact / angle,
+        exact / divide,
+        exact / float,
+        exact / line,
+        exact / plane,
+        exact / wide;
 }
 
 /// Every kernel of the workspace, by name.

@@ -49,7 +49,7 @@ fn pack_cell(ln: Line, k: u32, direction: u32, offset: u32) -> u32 {
 /// A cell that holds the line once it is widened on every side by max(2^-10, 2^(k - 16)) of a cell; which one may
 /// differ from device to device. Only for tables whose entries allow for that slack and mark the samples in doubt,
 /// which `half_plane` then decides: the final mask does not depend on the cell. Domain as `line_cell`.
-/// float: filter - a total relative error below 2^-17 stays within the slack; doubtful samples are decided in integers
+/// float: filter - a total relative error below 2^-18 stays within the slack; doubtful samples are decided in integers
 fn line_cell_fast(ln: Line, h: u32, k: u32) -> u32 {
     let one = 1u << k;
     let ab = uabs(ln.b);
@@ -58,8 +58,9 @@ fn line_cell_fast(ln: Line, h: u32, k: u32) -> u32 {
     let negative = (ln.c.y >> 31u) != 0u;
     let inv = f32(one) / f32(max(n1, 1u));
     let o = (f32(ac.y) * 4294967296.0 + f32(ac.x)) * inv / f32(1u << h);
-    // The margin is twice the error, so that only what is outside is taken to be outside.
-    if ((n1 == 0u) | (o > f32(one) * 1.0000152587890625)) {
+    // The margin of 2^-17 exceeds the error, so that only what is outside is taken to be outside; both together are less
+    // than the slack.
+    if ((n1 == 0u) | (o > f32(one) * 1.00000762939453125)) {
         return select(CELL_ALL, CELL_NONE, negative);
     }
     let direction = min(u32(f32(ab) * inv), one - 1u);
