@@ -28,12 +28,12 @@ pub struct Sampling {
     pub warm_up: u64,
     /// Milliseconds to measure for.
     pub measure: u64,
-    /// A repetition of at least so many milliseconds is timed [`REPETITIONS`] times and not by criterion, which takes
-    /// ten samples at least.
+    /// A repetition of at least so many milliseconds is not timed by criterion, which takes ten samples at least, but
+    /// directly: [`REPETITIONS`] times, or fewer once the sum reaches twenty times this limit.
     pub long: u64,
 }
 
-/// How often a long repetition is timed; the median counts.
+/// How often a long repetition is timed at most; the median counts.
 pub const REPETITIONS: usize = 3;
 
 impl Sampling {
@@ -54,16 +54,21 @@ pub struct Prepared<'a> {
 }
 
 impl<'a> Prepared<'a> {
-    /// Runs the whole job once, keeps its outputs and its memory, then repeats the dispatches once to count them.
+    /// Runs the whole job once, keeps its outputs and its memory, then repeats the dispatches once where
+    /// lane-operations are counted.
     pub fn new(backend: &'a dyn Backend, job: &Job) -> BackendResult<Self> {
         check::job(job)?;
         let dispatches = dispatches(job)?;
         let mut session = backend.open(&job.programs, &job.buffers)?;
         job.recordings.iter().try_for_each(|recording| session.submit(recording))?;
         let outputs = job.reads.iter().map(|read| session.read(read)).collect::<BackendResult<_>>()?;
-        let before = session.lane_ops();
-        session.submit(&dispatches)?;
-        let lane_ops = session.lane_ops().zip(before).map(|(after, before)| after - before);
+        let lane_ops = match session.lane_ops() {
+            None => None,
+            Some(before) => {
+                session.submit(&dispatches)?;
+                session.lane_ops().map(|after| after - before)
+            }
+        };
         Ok(Prepared { session, dispatches, outputs, lane_ops })
     }
 
@@ -161,12 +166,13 @@ pub fn median_ns(
 
 /// The median of a few repetitions, where the first is long.
 fn long_ns(prepared: &mut Prepared<'_>, clock: Clock, sampling: Sampling) -> Result<Option<f64>> {
-    let mut times = Vec::new();
-    while times.len() < REPETITIONS {
+    let long = sampling.long as f64 * 1e6;
+    let mut times: Vec<f64> = Vec::new();
+    while times.len() < REPETITIONS && (times.is_empty() || times.iter().sum::<f64>() < 20.0 * long) {
         let start = clock.start();
         prepared.repeat()?;
         times.push(clock.to_f64(&clock.end(start)));
-        if times[0] < sampling.long as f64 * 1e6 {
+        if times[0] < long {
             return Ok(None);
         }
     }
