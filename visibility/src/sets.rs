@@ -13,7 +13,7 @@
 //! | 36 | 4 | 0 |
 //! | 40 | 8 | f64: side of a grid cell, in scene units |
 //! | 48 | 8 × samples | two i32 a sample: where it stands, in grid cells in the frame of the light |
-//! | … | 4 × words × resolution² | u32: the sets, row after row; bit i % 32 of word i / 32 is set iff sample i is hidden |
+//! | … | 4 × words × resolution² | u32: the sets, row after row; bit i % 32 of word i / 32: sample i is hidden |
 //! | … | 32 | BLAKE3 digest of all that stands before |
 
 use std::fs;

@@ -9,8 +9,8 @@
 //! * the image is the receiver seen from above: columns run along x; rows run along z where y is up, and along −y
 //!   where z is up, so that no image is mirrored.
 //!
-//! A setup that [`Setup::new`] or [`Setup::load`] gives is sound: rectangles have right angles and area, the light's front
-//! faces the whole receiver, nothing touches, and some of the scene lies between the two.
+//! A setup that [`Setup::new`] or [`Setup::load`] gives is sound: rectangles have right angles and area, the light's
+//! front faces the whole receiver, nothing touches, and some of the scene lies between the two.
 
 mod file;
 
@@ -28,6 +28,8 @@ pub const LIGHT_SIZE: f64 = 0.4;
 pub const MAX_LIGHT_SIZE: f64 = 16.0;
 /// Texels a side, by default.
 pub const RESOLUTION: u32 = 512;
+/// Samples of a light, by default.
+pub const SAMPLE_COUNT: u32 = 1024;
 /// Most lights of one setup.
 pub const MAX_LIGHTS: usize = 64;
 
@@ -123,7 +125,7 @@ impl Setup {
         let up = settings.up.unwrap_or_default();
         let size = checked_light_size(place("light size"), settings.light_size.unwrap_or(LIGHT_SIZE))?;
         let resolution = checked_resolution(place("resolution"), settings.resolution.unwrap_or(RESOLUTION))?;
-        let samples = checked_samples(place("samples"), settings.samples.unwrap_or(1024), resolution)?;
+        let samples = checked_samples(place("samples"), settings.samples.unwrap_or(SAMPLE_COUNT), resolution)?;
         let (light, receiver) = surround(&scene, up, size);
         Ok(Setup { scene, up, lights: vec![light], receiver, resolution, samples })
     }
@@ -229,7 +231,8 @@ fn check_light(place: &Place, light: &Rect, receiver: &Rect, scene: &Scene) -> R
     }
     let vertices = scene.parts.iter().flat_map(|part| part.vertices.iter().copied());
     let [lowest, highest] = heights(receiver, vertices.clone());
-    if if low > 0.0 { highest <= 0.0 } else { lowest >= 0.0 } {
+    let same_side = if low > 0.0 { highest > 0.0 } else { lowest < 0.0 };
+    if !same_side {
         return bad(
             "the light is behind the receiver: the scene is on the other side",
             "move the light to the scene's side",
@@ -246,7 +249,8 @@ fn corners(rect: &Rect) -> [Vector; 4] {
     [a, b, add(b, rect.v), add(a, rect.v)]
 }
 
-/// Least and greatest distance of points from the plane of `rect`, along u × v; distances within the tolerance are zero.
+/// Least and greatest distance of points from the plane of `rect`, along u × v; distances within the tolerance are
+/// zero.
 fn heights(rect: &Rect, points: impl IntoIterator<Item = Vector>) -> [f64; 2] {
     let normal = cross(rect.u, rect.v);
     let normal = scale(normal, 1.0 / length(normal));

@@ -109,7 +109,7 @@ pub(crate) struct MachineArgs {
     /// Adapter of the wgpu backend, by part of its name or driver; software adapters run only when named.
     #[arg(long, value_name = "NAME")]
     pub(crate) adapter: Option<String>,
-    /// Threads of the interpreter [default: all cores].
+    /// Threads of the interpreter, which `auto` then takes [default: all cores].
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
 }

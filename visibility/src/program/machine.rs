@@ -8,8 +8,8 @@ use sightlines_visibility::error::Place;
 use super::Failure;
 use super::cli::{BackendName, MachineArgs};
 
-/// Opens the machine that the command line asks for. What it names is what runs, or an error; `auto` without an adapter's
-/// name takes a GPU if one can be opened, and never a software adapter, which the interpreter outruns.
+/// Opens the machine that the command line asks for. What it names is what runs, or an error; `auto` without an
+/// adapter's name takes a GPU if there is one, and never a software adapter, which the interpreter outruns.
 pub(crate) fn open(args: &MachineArgs) -> Result<Box<dyn Backend>, Failure> {
     match (args.backend, &args.adapter) {
         (BackendName::Cpu, Some(_)) => {

@@ -16,7 +16,8 @@ enum Format {
     Ply,
 }
 
-/// Reads a mesh file: Wavefront OBJ, glTF 2.0 (`.gltf` or `.glb`, buffers embedded or beside it), or PLY (ascii or binary).
+/// Reads a mesh file: Wavefront OBJ, glTF 2.0 (`.gltf` or `.glb`, buffers embedded or beside it), or PLY (ascii or
+/// binary).
 ///
 /// Polygons become triangles; points, lines, materials, skins and animations are left out; glTF instances are copies.
 ///

@@ -1,8 +1,8 @@
 //! Scenes: triangles in named parts, in scene units, from files or from generators.
 //!
-//! Invariant of every [`Scene`] that [`load`] or [`generate()`] gives: it has a triangle, every index is in range, every
-//! coordinate is finite and within [`MAX_COORDINATE`], and its vertices do not all coincide or all but. Degenerate triangles are
-//! kept, for they hide nothing and cost little, and counted, for they hint at a broken export.
+//! Invariant of every [`Scene`] that [`load()`] or [`generate()`] gives: it has a triangle, every index is in range,
+//! every coordinate is finite and within [`MAX_COORDINATE`], and its vertices do not all coincide or all but.
+//! Degenerate triangles are kept, for they hide nothing and cost little, and counted, for they hint at a broken export.
 
 mod generate;
 mod gltf;

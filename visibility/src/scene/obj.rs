@@ -1,6 +1,6 @@
 //! Wavefront OBJ, through `tobj`. Only positions and faces matter; materials are not looked for.
 //!
-//! `tobj` would refuse a mesh for its texture coordinates and make a face of a polyline, and tells what is wrong but not
+//! `tobj` would refuse a mesh for its texture coordinates, makes a face of a polyline, and tells what is wrong but not
 //! where. So it is given the [`statements`] that matter, through a reader that knows how far it has come.
 
 use std::io::{self, BufRead, Read};

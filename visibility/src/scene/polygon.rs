@@ -1,7 +1,7 @@
 //! Polygons into triangles, by cutting ears; convex ones become fans around their first corner.
 //!
-//! A polygon of n ≥ 3 corners always gives n − 2 triangles over those corners, so nothing is lost or invented; where it is
-//! not simple (crossing or collapsed), the rest becomes a fan.
+//! A polygon of n ≥ 3 corners always gives n − 2 triangles over those corners, so nothing is lost or invented; where it
+//! is not simple (crossing or collapsed), the rest becomes a fan.
 
 use crate::error::{Place, Result};
 use crate::vector::{Vector, add, cross, sub};
@@ -73,7 +73,8 @@ fn neighbours(left: &[usize], i: usize) -> (usize, usize) {
     (left[(i + left.len() - 1) % left.len()], left[(i + 1) % left.len()])
 }
 
-/// A convex corner whose triangle holds no other; none where three corners are left, or where the polygon is not simple.
+/// A convex corner whose triangle holds no other; none where three corners are left, or where the polygon is not
+/// simple.
 fn find_ear(points: &[[f64; 2]], left: &[usize]) -> Option<usize> {
     (0..left.len()).filter(|_| left.len() > 3).find(|&i| {
         let (before, after) = neighbours(left, i);

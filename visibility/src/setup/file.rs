@@ -26,7 +26,7 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use super::{
-    LIGHT_SIZE, MAX_LIGHTS, RESOLUTION, Settings, Setup, Up, check_light, check_rect, checked_light_size,
+    LIGHT_SIZE, MAX_LIGHTS, RESOLUTION, SAMPLE_COUNT, Settings, Setup, Up, check_light, check_rect, checked_light_size,
     checked_resolution, checked_samples, surround,
 };
 use crate::error::{Error, Place, Result};
@@ -95,11 +95,11 @@ pub(super) fn load(path: &Path, settings: &Settings) -> Result<Setup> {
     let source = Source { path, text: &text };
     let file: File = toml::from_str(&text).map_err(|e| {
         let place = e.span().map_or_else(|| Place::file(path), |span| source.line(span.start));
-        place.error(e.message(), "see the scene file's keys in the documentation of `sightlines shadows --help`")
+        place.error(e.message(), "`sightlines shadows --help` shows a scene file")
     })?;
     let (place, resolution) = source.setting("resolution", settings.resolution, &file.resolution, RESOLUTION);
     let resolution = checked_resolution(place, resolution)?;
-    let (place, samples) = source.setting("samples", settings.samples, &file.samples, 1024);
+    let (place, samples) = source.setting("samples", settings.samples, &file.samples, SAMPLE_COUNT);
     let samples = checked_samples(place, samples, resolution)?;
     let up = up(&source, settings, &file)?;
     let light_size = light_size(&source, settings, &file)?;

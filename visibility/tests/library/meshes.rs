@@ -101,8 +101,8 @@ fn ply_ascii() {
 /// A triangle as binary PLY.
 fn binary(order: &str, word: fn(u32) -> [u8; 4]) -> Vec<u8> {
     let mut bytes = format!(
-        "ply\nformat binary_{order}_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
-         element face 1\nproperty list uchar uint vertex_index\nend_header\n"
+        "ply\nformat binary_{order}_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
+         property float z\nelement face 1\nproperty list uchar uint vertex_index\nend_header\n"
     )
     .into_bytes();
     for coordinate in [0.0_f32, 0.0, 0.0, 1.5, 0.0, 0.0, 0.0, 0.0, -2.25] {
