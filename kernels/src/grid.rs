@@ -12,7 +12,7 @@
 //! A triangle whose plane holds R hides nothing. Kernels only *evaluate* this; nothing is clipped or snapped again.
 //! [`hidden`] is the definition in i128, without any thought of speed: it is the oracle of every kernel that makes masks.
 
-use sightlines_backend::{Error, Result};
+use sightlines_backend::{Error, Result, host};
 
 /// x and y lie in [−XY, XY).
 pub const XY: i32 = 1 << 14;
@@ -54,6 +54,53 @@ pub struct Receivers {
     pub columns: u32,
     /// Receivers along y.
     pub rows: u32,
+}
+
+host! {
+    /// A light and its receivers as kernels are given them. Mirrors `struct View` of `shared/view.wgsl`.
+    pub struct View {
+        /// x of the first receiver.
+        pub receiver_x: i32,
+        /// y of the first receiver.
+        pub receiver_y: i32,
+        /// Distance of receivers along x.
+        pub receiver_step_x: i32,
+        /// Distance of receivers along y.
+        pub receiver_step_y: i32,
+        /// z of the receivers.
+        pub height: i32,
+        /// Receivers along x.
+        pub columns: u32,
+        /// Receivers along y.
+        pub rows: u32,
+        /// x of the first sample.
+        pub sample_x: i32,
+        /// y of the first sample.
+        pub sample_y: i32,
+        /// Distance of samples along x.
+        pub sample_step_x: i32,
+        /// Distance of samples along y.
+        pub sample_step_y: i32,
+    }
+}
+
+impl View {
+    /// The view of `receivers` on `samples`.
+    pub fn new(samples: &Samples, receivers: &Receivers) -> Self {
+        View {
+            receiver_x: receivers.origin[0],
+            receiver_y: receivers.origin[1],
+            receiver_step_x: receivers.step[0],
+            receiver_step_y: receivers.step[1],
+            height: receivers.height,
+            columns: receivers.columns,
+            rows: receivers.rows,
+            sample_x: samples.origin[0],
+            sample_y: samples.origin[1],
+            sample_step_x: samples.step[0],
+            sample_step_y: samples.step[1],
+        }
+    }
 }
 
 fn refuse(what: String) -> Result<()> {

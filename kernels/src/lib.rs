@@ -82,6 +82,7 @@ package! {
         raster,
         root,
         soft_float,
+        view,
         wide;
     parts:
         exact / angle,

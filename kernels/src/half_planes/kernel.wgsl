@@ -1,4 +1,5 @@
-import package::shared::crossing::{Function, edge_function, along_row, first_inside};
+import package::shared::crossing::{edge_function, along_row, first_inside};
+import package::shared::view::{View, receiver_at, sample_row, below};
 import package::shared::wide::{imul_wide, add64, sgn64};
 
 // Half-planes: the samples of a regular light that any triangles hide from receivers on a parallel plane, exactly.
@@ -21,22 +22,13 @@ const ROWS: u32 = 32u;
 const COUNT = 256u / ROWS;
 
 struct Params {
-    receiver_x: i32,
-    receiver_y: i32,
-    receiver_step_x: i32,
-    receiver_step_y: i32,
-    height: i32,
-    columns: u32,
-    rows: u32,
-    sample_x: i32,
-    sample_y: i32,
-    sample_step_x: i32,
-    sample_step_y: i32,
     /// Receiver row of the first workgroup row.
     first_row: u32,
     /// First triangle, and one past the last.
     first: u32,
     end: u32,
+    _pad: u32,
+    view: View,
 }
 
 @group(0) @binding(0) var<uniform> params: Params;
@@ -49,21 +41,16 @@ fn vertex(triangle: u32, corner: u32) -> vec3<i32> {
     return vec3<i32>(vertices[at], vertices[at + 1u], vertices[at + 2u]);
 }
 
-/// The bits below k.
-fn below(k: u32) -> u32 {
-    return select((1u << k) - 1u, 0xffffffffu, k > 31u);
-}
-
 /// The samples of a row on the inner side of an edge; ties by the rule above.
 fn inner(r: vec3<i32>, p: vec3<i32>, q: vec3<i32>, v: i32) -> u32 {
     let n = edge_function(r, p, q);
-    let f = along_row(n, r, params.sample_x, v);
+    let f = along_row(n, r, params.view.sample_x, v);
     if (n.x == 0) {
         let sign = sgn64(f.start);
         return select(0u, below(COLUMNS), (sign > 0) | ((sign == 0) & (n.y > 0)));
     }
     // For a falling E the samples before the crossing are inside: -E < 0 strictly, so a tie is outside.
-    let k = first_inside(f, params.sample_step_x, COLUMNS);
+    let k = first_inside(f, params.view.sample_step_x, COLUMNS);
     return select(below(COLUMNS) & ~below(k), below(k), n.x < 0);
 }
 
@@ -77,16 +64,16 @@ fn beyond(r: vec3<i32>, a: vec3<i32>, b: vec3<i32>, c: vec3<i32>, v: i32) -> u32
     let side = sgn64(dot64(edge_function(a, b, c), r - a));
     // The normal that points away from the receiver; its sign is never 0 where the triangle is not edge-on.
     let n = edge_function(a, b, c) * (0 - side);
-    let f = along_row(n, a, params.sample_x, v);
+    let f = along_row(n, a, params.view.sample_x, v);
     if (n.x == 0) {
         return select(0u, below(COLUMNS), sgn64(f.start) > 0);
     }
-    let k = first_inside(f, params.sample_step_x, COLUMNS);
+    let k = first_inside(f, params.view.sample_step_x, COLUMNS);
     if (n.x < 0) {
         return below(k);
     }
     // A sample on the plane is not beyond it.
-    let at_k = add64(f.start, imul_wide(f.slope, params.sample_step_x * bitcast<i32>(k)));
+    let at_k = add64(f.start, imul_wide(f.slope, params.view.sample_step_x * bitcast<i32>(k)));
     let tie = (at_k.x | at_k.y) == 0u;
     return below(COLUMNS) & ~below(k + select(0u, 1u, tie));
 }
@@ -113,19 +100,15 @@ fn half_planes(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocatio
     let row = params.first_row + group.y;
     let column = group.x * COUNT + lane % COUNT;
     let j = lane / COUNT;
-    let r = vec3<i32>(
-        params.receiver_x + params.receiver_step_x * bitcast<i32>(column),
-        params.receiver_y + params.receiver_step_y * bitcast<i32>(row),
-        params.height,
-    );
-    let v = params.sample_y + params.sample_step_y * bitcast<i32>(j);
+    let r = receiver_at(params.view, column, row);
+    let v = sample_row(params.view, j);
     var mask = 0u;
     for (var triangle = params.first; triangle < params.end; triangle += 1u) {
         mask |= row_mask(triangle, r, v);
     }
-    if ((mask != 0u) & (column < params.columns)) {
+    if ((mask != 0u) & (column < params.view.columns)) {
         let sample = j * COLUMNS;
-        let plane = (sample / 32u) * params.columns * params.rows;
-        atomicOr(&hidden[plane + row * params.columns + column], mask << (sample % 32u));
+        let plane = (sample / 32u) * params.view.columns * params.view.rows;
+        atomicOr(&hidden[plane + row * params.view.columns + column], mask << (sample % 32u));
     }
 }

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use sightlines_backend::host::{Bindings, Buffer};
 use sightlines_backend::{Define, Error, Job, Kernel, Program, Result, bindings, host};
 
-use crate::grid::{Receivers, Samples};
+use crate::grid::{Receivers, Samples, View};
 use crate::pieces;
 
 mod cases;
@@ -29,34 +29,16 @@ const PAIRS: u32 = 1 << 14;
 host! {
     /// Mirrors `struct Params`.
     pub struct Params {
-        /// x of the first receiver.
-        pub receiver_x: i32,
-        /// y of the first receiver.
-        pub receiver_y: i32,
-        /// Distance of receivers along x.
-        pub receiver_step_x: i32,
-        /// Distance of receivers along y.
-        pub receiver_step_y: i32,
-        /// z of the receivers.
-        pub height: i32,
-        /// Receivers along x.
-        pub columns: u32,
-        /// Receivers along y.
-        pub rows: u32,
-        /// x of the first sample.
-        pub sample_x: i32,
-        /// y of the first sample.
-        pub sample_y: i32,
-        /// Distance of samples along x.
-        pub sample_step_x: i32,
-        /// Distance of samples along y.
-        pub sample_step_y: i32,
         /// Receiver row of the first workgroup row.
         pub first_row: u32,
         /// First triangle.
         pub first: u32,
         /// One past the last triangle.
         pub end: u32,
+        /// WGSL places structs of a uniform at multiples of 16 bytes.
+        pub _pad: u32,
+        /// Light and receivers.
+        pub view: View,
     }
 }
 
@@ -122,22 +104,7 @@ impl HalfPlanes {
     }
 
     fn params(&self, receivers: &Receivers, first_row: u32, triangles: Range<u32>) -> Params {
-        let Samples { origin, step, .. } = self.samples;
-        Params {
-            receiver_x: receivers.origin[0],
-            receiver_y: receivers.origin[1],
-            receiver_step_x: receivers.step[0],
-            receiver_step_y: receivers.step[1],
-            height: receivers.height,
-            columns: receivers.columns,
-            rows: receivers.rows,
-            sample_x: origin[0],
-            sample_y: origin[1],
-            sample_step_x: step[0],
-            sample_step_y: step[1],
-            first_row,
-            first: triangles.start,
-            end: triangles.end,
-        }
+        let view = View::new(&self.samples, receivers);
+        Params { first_row, first: triangles.start, end: triangles.end, _pad: 0, view }
     }
 }

@@ -1,4 +1,5 @@
-import package::shared::crossing::{Function, edge_function, along_row, first_inside};
+import package::shared::crossing::{edge_function, along_row, first_inside};
+import package::shared::view::{View, receiver_at, sample_row, below};
 
 // Row spans: the samples of a regular light that triangles hide from receivers on a parallel plane, exactly.
 //
@@ -28,23 +29,14 @@ const ROWS: u32 = 32u;
 const COUNT = 256u / ROWS;
 
 struct Params {
-    receiver_x: i32,
-    receiver_y: i32,
-    receiver_step_x: i32,
-    receiver_step_y: i32,
-    height: i32,
-    columns: u32,
-    rows: u32,
-    sample_x: i32,
-    sample_y: i32,
-    sample_step_x: i32,
-    sample_step_y: i32,
     /// Receiver row of the first workgroup row.
     first_row: u32,
     /// Receiver rows that share a tile list.
     tile_rows: u32,
     /// Tiles along x, COUNT receivers each.
     tiles: u32,
+    _pad: u32,
+    view: View,
 }
 
 @group(0) @binding(0) var<uniform> params: Params;
@@ -74,9 +66,9 @@ fn vertex(triangle: u32, corner: u32) -> vec3<i32> {
 
 /// First light row at or above the backprojection of a vertex: clamp(ceil(N / Z), 0, ROWS).
 fn first_row(v: vec3<i32>, ry: i32) -> u32 {
-    let w = params.height - v.z;
-    let n = v.y * params.height - ry * v.z - params.sample_y * w;
-    let z = bitcast<u32>(params.sample_step_y * w);
+    let w = params.view.height - v.z;
+    let n = v.y * params.view.height - ry * v.z - params.view.sample_y * w;
+    let z = bitcast<u32>(params.view.sample_step_y * w);
     return select(min((bitcast<u32>(n) + z - 1u) / z, ROWS), 0u, n <= 0);
 }
 
@@ -89,18 +81,18 @@ struct Edge {
 
 /// float: filter - the size bounds the error of every crossing made from these coefficients
 fn edge(p: vec3<i32>, q: vec3<i32>, x0: i32, ry: i32) -> Edge {
-    let h = params.height;
+    let h = params.view.height;
     let w = h - p.z;
     let wz = q.z - p.z;
     let a = p.y * (q.z - h) - q.y * (p.z - h) - ry * wz;
     let b = q.x * (p.z - h) - p.x * (q.z - h) + x0 * wz;
-    let step = params.receiver_step_x;
-    let per_x = 1.0 / f32(params.sample_step_x * w);
-    let x1 = f32(p.x * h - x0 * p.z - params.sample_x * w) * per_x;
+    let step = params.view.receiver_step_x;
+    let per_x = 1.0 / f32(params.view.sample_step_x * w);
+    let x1 = f32(p.x * h - x0 * p.z - params.view.sample_x * w) * per_x;
     let c1 = f32(0 - step * p.z) * per_x;
-    let y1 = f32(p.y * h - ry * p.z - params.sample_y * w) / f32(params.sample_step_y * w);
+    let y1 = f32(p.y * h - ry * p.z - params.view.sample_y * w) / f32(params.view.sample_step_y * w);
     // An edge along the rows is crossed by none.
-    let per_a = f32(params.sample_step_y) / f32(params.sample_step_x) / f32(select(a, 1, a == 0));
+    let per_a = f32(params.view.sample_step_y) / f32(params.view.sample_step_x) / f32(select(a, 1, a == 0));
     let slope = f32(0 - b) * per_a;
     let turn = f32(0 - step * wz) * per_a;
     let last = f32(COUNT - 1u);
@@ -157,13 +149,8 @@ fn prepare(slot: u32, triangle: u32, x0: i32, ry: i32) {
 /// Exact number of samples of a light row before the crossing of an edge: the least k with E(k) >= 0, where E is the edge
 /// function with the sign that makes it grow.
 fn exact_crossing(p: vec3<i32>, q: vec3<i32>, r: vec3<i32>, j: u32) -> u32 {
-    let v = params.sample_y + params.sample_step_y * bitcast<i32>(j);
-    return first_inside(along_row(edge_function(r, p, q), r, params.sample_x, v), params.sample_step_x, COLUMNS);
-}
-
-/// The bits below k.
-fn below(k: u32) -> u32 {
-    return select((1u << k) - 1u, 0xffffffffu, k > 31u);
+    let v = sample_row(params.view, j);
+    return first_inside(along_row(edge_function(r, p, q), r, params.view.sample_x, v), params.view.sample_step_x, COLUMNS);
 }
 
 /// The samples of light row j that a triangle hides from receiver (i, row).
@@ -192,7 +179,7 @@ fn span(slot: u32, triangle: u32, i: u32, j: u32, x0: i32, ry: i32) -> u32 {
         var to_sample = u32(near_right);
         let doubt = max(abs(left - near_left), abs(right - near_right));
         if (!(doubt < limit)) {
-            let r = vec3<i32>(x0 + bitcast<i32>(i) * params.receiver_step_x, ry, params.height);
+            let r = vec3<i32>(x0 + bitcast<i32>(i) * params.view.receiver_step_x, ry, params.view.height);
             let low = vertex(triangle, (rows >> 18u) & 3u);
             let centre = vertex(triangle, (rows >> 20u) & 3u);
             let high = vertex(triangle, (rows >> 22u) & 3u);
@@ -209,8 +196,9 @@ fn span(slot: u32, triangle: u32, i: u32, j: u32, x0: i32, ry: i32) -> u32 {
 @compute @workgroup_size(256)
 fn row_span(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     let row = params.first_row + group.y;
-    let ry = params.receiver_y + params.receiver_step_y * bitcast<i32>(row);
-    let x0 = params.receiver_x + params.receiver_step_x * bitcast<i32>(group.x * COUNT);
+    let corner = receiver_at(params.view, group.x * COUNT, row);
+    let x0 = corner.x;
+    let ry = corner.y;
     let i = lane % COUNT;
     let j = lane / COUNT;
     let tile = (row / params.tile_rows) * params.tiles + group.x;
@@ -228,9 +216,9 @@ fn row_span(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_i
         }
     }
     let column = group.x * COUNT + i;
-    if ((mask != 0u) & (column < params.columns)) {
+    if ((mask != 0u) & (column < params.view.columns)) {
         let sample = j * COLUMNS;
-        let plane = (sample / 32u) * params.columns * params.rows;
-        atomicOr(&hidden[plane + row * params.columns + column], mask << (sample % 32u));
+        let plane = (sample / 32u) * params.view.columns * params.view.rows;
+        atomicOr(&hidden[plane + row * params.view.columns + column], mask << (sample % 32u));
     }
 }
