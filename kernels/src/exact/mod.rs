@@ -2,7 +2,7 @@
 //!
 //! Every function runs on all pairs of a table of edges, with whole results, and on ten million inputs of many shapes,
 //! near-ties and near-collinear ones among them, with a digest a block of 4,096. Inputs are made on the device from a
-//! counter; [`inputs`](self) makes the same on the host, and [`oracle`] answers them from each function's definition.
+//! counter; [`Inputs`] makes the same on the host, and [`oracle`] answers them from each function's definition.
 //! `docs/numerics.md` lists the functions with their domains, bounds and costs.
 //!
 //! Invariant: an entry point calls the text that kernels import, never a copy of it.

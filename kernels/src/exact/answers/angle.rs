@@ -23,7 +23,7 @@ pub(super) static ALL: [Function; 4] = [
             0 => [0, 1].map(|k| inputs.raw(i, k) as i32 >> 2),
             _ => {
                 let d = inputs.raw(i, 0) >> 3;
-                let y = (u64::from(d) * u64::from(inputs.raw(i, 1) % (1 << 20)) >> 20) as i32 + (p >> 1 & 1) as i32;
+                let y = ((u64::from(d) * u64::from(inputs.raw(i, 1) % (1 << 20))) >> 20) as i32 + (p >> 1 & 1) as i32;
                 [d as i32 - y, y]
             }
         };

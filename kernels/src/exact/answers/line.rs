@@ -60,7 +60,7 @@ fn lookup(inputs: &Inputs, i: u32, shift: u32) -> (Line, u32, u32) {
     let norm = u64::from(a.unsigned_abs() + b.unsigned_abs());
     let c = match p & 3 {
         0 => join(inputs.raw(i, 2), inputs.raw(i, 3)) as i64,
-        _ => (norm * u64::from(inputs.raw(i, 2)) >> (32 - h)) as i64 + small(p >> 2),
+        _ => ((norm * u64::from(inputs.raw(i, 2))) >> (32 - h)) as i64 + small(p >> 2),
     };
     (Line { a, b, c: if p & 16 != 0 { c.wrapping_neg() } else { c } }, h, k)
 }

@@ -13,9 +13,9 @@ pub fn atan2_bam(y: i32, x: i32) -> u32 {
     let folded = 5 * n > 2 * d;
     let (n, d) = if folded { (d - n, d + n) } else { (n, d) };
     let q = 4 * ((n << 30) / d);
-    let z = q * q >> 32;
-    let p = COEFFICIENTS[1..].iter().fold(COEFFICIENTS[0], |p, coefficient| coefficient - (p * z >> 32));
-    let mut turn = ((p * q >> 32) + 2) >> 2;
+    let z = (q * q) >> 32;
+    let p = COEFFICIENTS[1..].iter().fold(COEFFICIENTS[0], |p, coefficient| coefficient - ((p * z) >> 32));
+    let mut turn = (((p * q) >> 32) + 2) >> 2;
     if folded {
         turn = (1 << 29) - turn;
     }
