@@ -10,70 +10,6 @@ use crate::Simd;
 use crate::code::{BinOp, Reg, TernOp, UnOp};
 use crate::semantics;
 
-const UNARY: &[UnOp] = {
-    use UnOp::*;
-    &[
-        Move,
-        Not,
-        NegI,
-        AbsI,
-        SignI,
-        NegF,
-        AbsF,
-        SignF,
-        Floor,
-        Ceil,
-        Trunc,
-        Round,
-        Sqrt,
-        InverseSqrt,
-        FloatToInt,
-        FloatToUint,
-        IntToFloat,
-        UintToFloat,
-        CountOneBits,
-        CountLeadingZeros,
-        CountTrailingZeros,
-        ReverseBits,
-        FirstLeadingBitI,
-        FirstLeadingBitU,
-        FirstTrailingBit,
-        Sin,
-        Cos,
-        Tan,
-        Asin,
-        Acos,
-        Atan,
-        Sinh,
-        Cosh,
-        Tanh,
-        Asinh,
-        Acosh,
-        Atanh,
-        Exp,
-        Exp2,
-        Log,
-        Log2,
-        QuantizeToF16,
-        PackHalf,
-        UnpackHalf,
-        PackSnorm8,
-        PackUnorm8,
-        PackSnorm16,
-        PackUnorm16,
-        FrexpFraction,
-        FrexpExponent,
-    ]
-};
-
-const BINARY: &[BinOp] = {
-    use BinOp::*;
-    &[
-        Add, Sub, Mul, And, Or, Xor, Shl, ShrU, ShrI, DivU, DivI, RemU, RemI, MinU, MaxU, MinI, MaxI, Eq, Ne, LtU, LeU,
-        LtI, LeI, AddF, SubF, MulF, DivF, RemF, MinF, MaxF, EqF, NeF, LtF, LeF, Atan2, Pow, Ldexp,
-    ]
-};
-
 /// Words at which operations change their behaviour.
 const EDGES: &[u32] = &[
     0,
@@ -201,7 +137,7 @@ fn compare(what: &str, got: &[u32], want: impl Fn(usize) -> (u32, String)) {
 fn unary_operations_agree_on_every_level() {
     for (simd, level) in levels() {
         for rows in operands() {
-            for op in UNARY {
+            for op in UnOp::ALL {
                 for scalar in [false, true] {
                     let a = register(1, scalar);
                     let got =
@@ -220,7 +156,7 @@ fn unary_operations_agree_on_every_level() {
 fn binary_operations_agree_on_every_level() {
     for (simd, level) in levels() {
         for rows in operands() {
-            for op in BINARY {
+            for op in BinOp::ALL {
                 for form in 0..4 {
                     let (a, b) = (register(1, form & 1 != 0), register(2, form & 2 != 0));
                     let got =
