@@ -9,7 +9,8 @@ use crate::baseline::parse_name;
 
 const AFTER_HELP: &str = "\
 Measured are the dispatches of a case, with memory resident on the device: CPU time of one thread on one core, wall time
-of all cores. `ratio` is interpreter over lavapipe, the median of the rounds' ratios; below 1 the interpreter is faster. Results go to `backends.json` in the output folder.
+of all cores. `ratio` is interpreter over lavapipe, the median of the rounds' ratios; below 1 the interpreter is faster.
+Results go to `backends.json` in the output folder.
 
 Exit codes:
   0  everything was measured

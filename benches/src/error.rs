@@ -1,7 +1,7 @@
 //! Why a benchmark run could not do what it was asked, and the exit code that says so.
 //!
-//! A subject that fails on one engine is no error of the run: it is reported, the rest is measured, and the exit code is
-//! [`EXIT_FAILED`].
+//! A subject that fails on one engine is no error of the run: it is reported, the rest is measured, and the exit
+//! code is [`EXIT_FAILED`].
 
 use std::path::{Path, PathBuf};
 

@@ -4,24 +4,25 @@
 //! # What is measured
 //!
 //! The *dispatches* of a case, and nothing else: programs compiled, memory resident on the device, inputs uploaded.
-//! [`Prepared`] runs the whole job once, then repeats one recording that holds all its dispatches in order; criterion
-//! times that submission until the device has finished it, except that a long one is timed directly ([`Sampling`]).
-//! Uploads and read-backs are outside. Outputs of the first run are hashed, and engines that differ are a failure: a wrong
-//! answer has no speed.
+//! [`Prepared`] runs the whole job once, then repeats one recording that holds all its dispatches in order;
+//! criterion times that submission until the device has finished it, except that a long one is timed directly
+//! ([`Sampling`]). Uploads and read-backs are outside. Outputs of the first run are hashed, and engines that differ
+//! are a failure: a wrong answer has no speed.
 //!
 //! # How engines are compared
 //!
 //! An engine (the interpreter at one SIMD level, or one adapter) in one thread setting is one child process. On one
-//! thread it is pinned to one core with `taskset`, `LP_NUM_THREADS=1` is set for lavapipe, and the interpreter has one
-//! thread; what is timed is the CPU time of the child's process ([`Clock`]), so that other work on the machine does not
-//! count. On all cores nothing is pinned and wall time is taken. For each subject the rounds alternate between engines,
-//! forward and backward in turn. A row's time is the median of its rounds' medians; `ratio_to_lavapipe` is the median of
-//! the *rounds'* ratios, interpreter over lavapipe, so that a load which both engines of a round suffer cancels.
+//! thread it is pinned to one core with `taskset`, `LP_NUM_THREADS=1` is set for lavapipe, and the interpreter has
+//! one thread; what is timed is the CPU time of the child's process ([`Clock`]), so that other work on the machine
+//! does not count. On all cores nothing is pinned and wall time is taken. For each subject the rounds alternate
+//! between engines, forward and backward in turn. A row's time is the median of its rounds' medians;
+//! `ratio_to_lavapipe` is the median of the *rounds'* ratios, interpreter over lavapipe, so that a load which both
+//! engines of a round suffer cancels.
 //!
-//! `lane_ops` is the interpreter's work for one repetition: for each vector instruction it executes, the lanes of the
-//! 16-lane chunks that the instruction works on ([`Session::lane_ops`](sightlines_backend::Session::lane_ops)). It is
-//! counted, not timed, and does not depend on SIMD level or threads; rows of other engines carry the same number, so that
-//! `ns_per_lane_op` compares time for the same work.
+//! `lane_ops` is the interpreter's work for one repetition: for each vector instruction it executes, the lanes of
+//! the 16-lane chunks that the instruction works on ([`Session::lane_ops`](sightlines_backend::Session::lane_ops)).
+//! It is counted, not timed, and does not depend on SIMD level or threads; rows of other engines carry the same
+//! number, so that `ns_per_lane_op` compares time for the same work.
 
 pub mod baseline;
 pub mod cli;
