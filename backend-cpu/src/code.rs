@@ -19,11 +19,11 @@ pub enum Mem {
 
 /// Declares operations and the list of them all.
 macro_rules! operations {
-    ($(#[$meta:meta])* $name:ident { $($op:ident),* $(,)? }) => {
+    ($(#[$meta:meta])* $name:ident { $($(#[$op_meta:meta])* $op:ident),* $(,)? }) => {
         $(#[$meta])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         #[allow(missing_docs, reason = "named as the WGSL operators and builtins they are")]
-        pub enum $name { $($op),* }
+        pub enum $name { $($(#[$op_meta])* $op),* }
 
         impl $name {
             /// Every operation.
@@ -94,6 +94,8 @@ operations! {
         Add,
         Sub,
         Mul,
+        /// ⌊a b / 2^32⌋: no WGSL operation, but one that lowering finds.
+        MulHigh,
         And,
         Or,
         Xor,

@@ -90,6 +90,7 @@ pub(crate) fn binary(op: BinOp, a: u32, b: u32) -> u32 {
         BinOp::Add => a.wrapping_add(b),
         BinOp::Sub => a.wrapping_sub(b),
         BinOp::Mul => a.wrapping_mul(b),
+        BinOp::MulHigh => ((u64::from(a) * u64::from(b)) >> 32) as u32,
         BinOp::And => a & b,
         BinOp::Or => a | b,
         BinOp::Xor => a ^ b,

@@ -185,6 +185,10 @@ pub(super) fn binary<S: Simd>(s: S, r: Rows<'_>, op: BinOp, dst: Reg, a: Reg, b:
             BinOp::Add => zip(s, r, dst, a, b, |a, b| s.add_u32x16(a, b)),
             BinOp::Sub => zip(s, r, dst, a, b, |a, b| s.sub_u32x16(a, b)),
             BinOp::Mul => zip(s, r, dst, a, b, |a, b| s.mul_u32x16(a, b)),
+            BinOp::MulHigh => zip(s, r, dst, a, b, |a, b| {
+                let (low, high) = s.widening_mul_u32x16(a, b);
+                s.narrow_u64x8(s.shr_u64x8(low, 32), s.shr_u64x8(high, 32))
+            }),
             BinOp::And => zip(s, r, dst, a, b, |a, b| s.and_u32x16(a, b)),
             BinOp::Or => zip(s, r, dst, a, b, |a, b| s.or_u32x16(a, b)),
             BinOp::Xor => zip(s, r, dst, a, b, |a, b| s.xor_u32x16(a, b)),

@@ -8,11 +8,11 @@ use std::rc::Rc;
 
 use naga::{Arena, Expression, Handle, Span, TypeInner};
 
-use super::fold;
 use super::place::{Place, Root};
 use super::scan::Scan;
 use super::tree::{Block, Builtin, Construct, Cost, Op, Site, Stmt, Tree, Val, Var};
-use crate::code::Mem;
+use super::{fold, idiom};
+use crate::code::{BinOp, Mem};
 
 /// Why a program cannot be lowered.
 #[derive(Debug)]
@@ -364,6 +364,13 @@ impl<'m> Builder<'m> {
             fold::Folded::Word(word) => return self.constant(word),
             fold::Folded::Same(val) => return val,
             fold::Folded::No => {}
+        }
+        if let Some((a, b)) = idiom::high_product(&self.tree, op) {
+            let [a, b] = [a, b].map(|factor| match factor {
+                idiom::Factor::Val(val) => val,
+                idiom::Factor::Word(word) => self.constant(word),
+            });
+            return self.define(Op::Bin(BinOp::MulHigh, a, b));
         }
         let pure = match op {
             Op::Get(_) | Op::Atomic => false,

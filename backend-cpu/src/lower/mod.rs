@@ -10,6 +10,7 @@ mod emit;
 mod expr;
 mod flow;
 mod fold;
+mod idiom;
 mod place;
 mod prune;
 mod regs;

@@ -2,7 +2,7 @@
 
 use sightlines_backend::{Case, Expected, Job, Outputs, Size};
 
-use super::HalfPlanes;
+use super::{HalfPlanes, oracle};
 use crate::grid::{Receivers, Samples, Triangle, Z, hidden_set};
 use crate::random;
 use crate::triangles::Family;
@@ -70,13 +70,7 @@ fn case(
     let job = move || job(&samples, &receivers, &triangles(&samples, &receivers));
     let expected = move |_: &Outputs| {
         let triangles = make(&samples, &receivers);
-        let count = receivers.count();
-        let mut words = vec![0; (count * samples.words()) as usize];
-        for receiver in 0..count {
-            let mask = hidden_set(receivers.at(receiver), &samples, &triangles);
-            mask.into_iter().enumerate().for_each(|(w, word)| words[w * count as usize + receiver as usize] = word);
-        }
-        vec![Expected::Whole(words)]
+        vec![Expected::Whole(oracle::sets(&samples, &receivers, &triangles))]
     };
     let middle = receivers.count() / 2;
     Case::new(name, Size::Small, job, expected)

@@ -13,6 +13,7 @@ use crate::grid::{Receivers, Samples, View};
 use crate::pieces;
 
 mod cases;
+pub mod oracle;
 
 /// This kernel in the registry.
 pub const KERNEL: Kernel = Kernel {
@@ -91,13 +92,19 @@ impl HalfPlanes {
         let tiles = receivers.columns.div_ceil(256 / self.samples.rows);
         let rows = (PAIRS / tiles).clamp(1, receivers.rows);
         let batch = (PAIRS / (tiles * rows)).max(1);
-        for first in triangles.clone().step_by(batch as usize) {
+        let mut first = triangles.start;
+        loop {
             let end = triangles.end.min(first.saturating_add(batch));
             for first_row in (0..receivers.rows).step_by(rows as usize) {
+                pieces::cut(job);
                 let params = job.value("half-plane params", &self.params(receivers, first_row, first..end));
                 let height = rows.min(receivers.rows - first_row);
                 job.launch(program, "half_planes", &Cuts { params, vertices, hidden }, [tiles, height, 1]);
-                pieces::cut(job);
+            }
+            // No triangles are launched too, and shown to write nothing.
+            first = end;
+            if first >= triangles.end {
+                break;
             }
         }
         Ok(())

@@ -3,7 +3,7 @@
 
 use sightlines_backend::{Case, Expected, Job, Outputs, Result, Size};
 
-use super::{RowSpan, Scene, Tiles, tile_width};
+use super::{RowSpan, Scene, Tiles, oracle, tile_width};
 use crate::grid::{Receivers, Samples, Triangle, hidden_set};
 use crate::influence_region::oracle::region;
 use crate::random;
@@ -76,13 +76,7 @@ fn small(
     let job = move || job(&samples, &receivers, &triangles(&samples, &receivers), 4);
     let expected = move |_: &Outputs| {
         let triangles = make(&samples, &receivers);
-        let count = receivers.count();
-        let mut words = vec![0; (count * samples.words()) as usize];
-        for receiver in 0..count {
-            let mask = hidden_set(receivers.at(receiver), &samples, &triangles);
-            mask.into_iter().enumerate().for_each(|(w, word)| words[w * count as usize + receiver as usize] = word);
-        }
-        vec![Expected::Whole(words)]
+        vec![Expected::Whole(oracle::sets(&samples, &receivers, &triangles))]
     };
     let middle = receivers.count() / 2;
     let probes = (0..samples.words()).step_by(5).map(move |word| word * receivers.count() + middle);

@@ -12,6 +12,7 @@ use crate::grid::{Receivers, Samples, Triangle, View};
 use crate::pieces;
 
 mod cases;
+pub mod oracle;
 
 /// This kernel in the registry.
 pub const KERNEL: Kernel = Kernel {
@@ -155,11 +156,11 @@ impl RowSpan {
         let mut row = 0;
         while row < receivers.rows {
             let end = self.piece(receivers, tiles, row);
+            pieces::cut(job);
             let params = job.value("row span params", &self.params(receivers, tiles, row));
             let Scene { vertices, starts, entries, hidden } = scene;
             let bound = Spans { params, vertices, starts, entries, hidden };
             job.launch(program, "row_span", &bound, [tiles.count[0], end - row, 1]);
-            pieces::cut(job);
             row = end;
         }
         Ok(())
