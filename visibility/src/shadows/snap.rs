@@ -1,16 +1,15 @@
 //! From scene units to the grid: the one place where a scene is rounded.
 //!
-//! Axes follow the light: x along its first side, y along its second, z where it shines, the light at z = 0. The side of a
-//! cell is the distance of two texel centres divided by the largest whole number that lets everything fit, so receivers
-//! are exact. Vertices go to the nearest grid point; the samples' distance and the receivers' height become whole cells.
-//! After this only integers decide ([`sightlines_kernels::grid`] has the definition).
+//! Axes follow the light: x along its first side, y along its second, z where it shines, the light at z = 0. The side of
+//! a cell is the distance of two texel centres divided by the largest whole number that lets everything fit, so
+//! receivers are exact. Vertices go to the nearest grid point; the samples' distance and the receivers' height become
+//! whole cells. After this only integers decide ([`sightlines_kernels::grid`] has the definition).
 
 use sightlines_kernels::grid::{Receivers, Samples, Triangle, XY, Z};
 
 use super::{Rect, Request};
 use crate::error::{Place, Result};
-
-type Vector = [f64; 3];
+use crate::vector::{Vector, cross, dot, length, scale, sub};
 
 /// A scene on the grid.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,26 +26,6 @@ pub struct Snapped {
     pub crossing: Vec<Triangle>,
     /// Side of a cell, in scene units.
     pub cell: f64,
-}
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn minus(a: Vector, b: Vector) -> Vector {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn scaled(a: Vector, by: f64) -> Vector {
-    [a[0] * by, a[1] * by, a[2] * by]
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn length(a: Vector) -> f64 {
-    dot(a, a).sqrt()
 }
 
 fn refuse<T>(what: impl Into<String>, remedy: &str) -> Result<T> {
@@ -71,12 +50,12 @@ impl Frame {
                 "give it two sides at right angles",
             );
         }
-        let axes = [scaled(light.u, 1.0 / u), scaled(light.v, 1.0 / v), scaled(normal, 1.0 / area)];
+        let axes = [scale(light.u, 1.0 / u), scale(light.v, 1.0 / v), scale(normal, 1.0 / area)];
         Ok(Frame { corner: light.corner, axes })
     }
 
     fn point(&self, p: Vector) -> Vector {
-        let p = minus(p, self.corner);
+        let p = sub(p, self.corner);
         self.axes.map(|axis| dot(axis, p))
     }
 
