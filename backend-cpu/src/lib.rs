@@ -10,6 +10,29 @@
 //!    chosen at run time; a barrier costs a check; gangs spread over threads.
 //! 4. **Semantics** ([`semantics`], [`math`]): what each operation means on one word, for every engine and test.
 //!
+//! # Start
+//!
+//! ```
+//! use sightlines_backend::{Backend, Job, Linked, Program};
+//! use sightlines_backend_cpu::{Bounds, Config, CpuBackend};
+//!
+//! # fn main() -> sightlines_backend::Result<()> {
+//! let text = "@group(0) @binding(0) var<storage, read_write> a: array<u32>;
+//!     @compute @workgroup_size(64)
+//!     fn main(@builtin(global_invocation_id) id: vec3u) { a[id.x] = a[id.x] * a[id.x]; }";
+//! let program = Program::unlinted("squares", Linked::single("squares.wgsl", text)?)?;
+//! let mut job = Job::new();
+//! let squares = job.program(&program);
+//! let a = job.upload("a", &(0..64u32).collect::<Vec<_>>());
+//! job.dispatch(squares, "main", &[(0, a)], [1, 1, 1]);
+//! job.read("a", a);
+//! let cpu = CpuBackend::new(Config { bounds: Bounds::Trap, ..Config::default() });
+//! let outputs = cpu.run(&job)?;
+//! assert_eq!(outputs[0][36..40], 81u32.to_le_bytes());
+//! # Ok(())
+//! # }
+//! ```
+//!
 //! # What it promises
 //!
 //! * Integers and memory behave as WGSL says, in full; f32 is IEEE binary32 in source order, unfused, subnormals kept;
