@@ -261,7 +261,7 @@ pub enum Inst<R = Reg> {
         offset: u32,
         count: u32,
     },
-    /// Masked, lanes in order. `dst` and `compare` stand in [`Code::atomics`].
+    /// Masked, lanes in order. `dst` and `compare` stand in a table of their own.
     Atomic {
         index: u32,
     },

@@ -2,13 +2,13 @@
 //!
 //! Four stages, each with a folder or file of its own:
 //!
-//! 1. **Lowering** ([`lower`]), once for each pipeline: calls inlined, types split into words, uniformity found, masks
+//! 1. **Lowering** (`lower`), once for each pipeline: calls inlined, types split into words, uniformity found, masks
 //!    put only where an effect needs them, registers allocated.
 //! 2. **Code** ([`code`]): instructions on rows of lanes and on scalars that a whole gang shares; its `Display` is the
 //!    disassembly.
-//! 3. **Execution** ([`exec`]): one instruction at a time works on all lanes of a gang of up to 256 invocations, in SIMD
+//! 3. **Execution** (`exec`): one instruction at a time works on all lanes of a gang of up to 256 invocations, in SIMD
 //!    chosen at run time; a barrier costs a check; gangs spread over threads.
-//! 4. **Semantics** ([`semantics`], [`math`]): what each operation means on one word, for every engine and test.
+//! 4. **Semantics** (`semantics`, [`math`]): what each operation means on one word, for every engine and test.
 //!
 //! # Start
 //!

@@ -1,6 +1,6 @@
 //! The child process of one engine in one thread setting, and the coordinator's side of it.
 //!
-//! Messages are JSON, one a line. Criterion prints to standard output as well, so a reply begins with [`MARK`] and
+//! Messages are JSON, one a line. Criterion prints to standard output as well, so a reply begins with `MARK` and
 //! all other lines are its report; what is said on standard error goes to a file in the child's folder. Whatever
 //! ends a child before its reply fails one measurement and nothing else.
 

@@ -244,7 +244,7 @@ pub fn write(exe: &Path, writings: &[Writing]) -> Result<()> {
     Ok(())
 }
 
-/// The child's side of [`write`]: reads the list from standard input.
+/// The child's side of [`write()`]: reads the list from standard input.
 pub fn write_here(list: impl std::io::Read) -> Result<()> {
     let writings: Vec<Writing> =
         serde_json::from_reader(list).map_err(|e| Error::Worker(format!("not a list of snapshots: {e}")))?;

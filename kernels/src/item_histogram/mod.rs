@@ -131,7 +131,7 @@ const GROUP: u32 = 256;
 /// Words of counts of a workgroup, by variant: few bins need little memory, many need all of it. A word counts two bins.
 const TILE_WORDS: [u32; 2] = [256, 4096];
 
-/// The compiled kernel: for each order, one program for each of [`TILE_WORDS`].
+/// The compiled kernel: for each order, one program for each of `TILE_WORDS`.
 pub struct ItemHistogram {
     memory: [Arc<Program>; 2],
     scattered: [Arc<Program>; 2],
