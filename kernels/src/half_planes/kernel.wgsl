@@ -1,7 +1,3 @@
-import package::shared::crossing::{edge_function, along_row, first_inside};
-import package::shared::view::{View, receiver_at, sample_row, below};
-import package::shared::wide::{imul_wide, add64, sgn64};
-
 // Half-planes: the samples of a regular light that any triangles hide from receivers on a parallel plane, exactly.
 //
 // Eisemann and Décoret, "Visibility Sampling on GPU and Applications", sections 4, 5 and 10: the three edges of a triangle
@@ -13,6 +9,10 @@ import package::shared::wide::{imul_wide, add64, sgn64};
 // a half-plane is all samples from a first one on, or all before it, found by bisection with exact signs; where its line is
 // parallel to the row it is the whole row or nothing. A sample on an edge's line belongs to the side of larger x, or of
 // larger y where the line is parallel to the row; a sample on the triangle's own plane is not hidden.
+
+import package::shared::crossing::{edge_function, along_row, first_inside};
+import package::shared::view::{View, receiver_at, sample_row, below};
+import package::shared::wide::{imul_wide, add64, sgn64};
 
 /// Samples along x: a power of two up to 32.
 const COLUMNS: u32 = 32u;

@@ -1,6 +1,3 @@
-import package::shared::crossing::{edge_function, along_row, first_inside};
-import package::shared::view::{View, receiver_at, sample_row, below};
-
 // Row spans: the samples of a regular light that triangles hide from receivers on a parallel plane, exactly.
 //
 // Eisemann and Décoret, "Visibility Sampling on GPU and Applications", sections 4 and 5, by row spans instead of a table:
@@ -20,6 +17,9 @@ import package::shared::view::{View, receiver_at, sample_row, below};
 //
 // One workgroup serves COUNT receivers of one row: invocation = (light row, receiver), receivers fastest. It prepares up to
 // 256 triangles at a time, one an invocation, then all invocations take one after the other.
+
+import package::shared::crossing::{edge_function, along_row, first_inside};
+import package::shared::view::{View, receiver_at, sample_row, below};
 
 /// Samples along x: a power of two up to 32.
 const COLUMNS: u32 = 32u;
