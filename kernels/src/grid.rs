@@ -88,6 +88,17 @@ impl View {
     /// The view of `receivers` on `samples`.
     pub fn new(samples: &Samples, receivers: &Receivers) -> Self {
         View {
+            sample_x: samples.origin[0],
+            sample_y: samples.origin[1],
+            sample_step_x: samples.step[0],
+            sample_step_y: samples.step[1],
+            ..View::of(receivers)
+        }
+    }
+
+    /// The view of `receivers` on a light whose samples stand elsewhere: as one that has all of them at 0.
+    pub fn of(receivers: &Receivers) -> Self {
+        View {
             receiver_x: receivers.origin[0],
             receiver_y: receivers.origin[1],
             receiver_step_x: receivers.step[0],
@@ -95,10 +106,10 @@ impl View {
             height: receivers.height,
             columns: receivers.columns,
             rows: receivers.rows,
-            sample_x: samples.origin[0],
-            sample_y: samples.origin[1],
-            sample_step_x: samples.step[0],
-            sample_step_y: samples.step[1],
+            sample_x: 0,
+            sample_y: 0,
+            sample_step_x: 0,
+            sample_step_y: 0,
         }
     }
 }

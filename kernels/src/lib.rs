@@ -12,6 +12,7 @@ use std::sync::Arc;
 
 use sightlines_backend::{Define, Kernel, Program, Result};
 
+pub mod backprojection;
 pub mod exact;
 pub mod grid;
 pub mod half_planes;
@@ -56,6 +57,7 @@ macro_rules! package {
 
 package! {
     kernels:
+        backprojection,
         exact,
         half_planes,
         influence_region,
@@ -66,6 +68,7 @@ package! {
         scan;
     shared:
         angle,
+        backprojection,
         block_scan,
         crossing,
         direction,

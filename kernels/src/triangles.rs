@@ -2,7 +2,7 @@
 //!
 //! Everything is made by counter ([`random`]), so a case's name and seed fix its input.
 
-use crate::grid::{Point, Receivers, Samples, Triangle, XY};
+use crate::grid::{Point, Receivers, Samples, Triangle, XY, Z};
 use crate::random;
 
 /// A family of triangles between a light and its receivers.
@@ -112,6 +112,36 @@ impl Family {
             }
         }
     }
+}
+
+/// Every combination of heights on, next to and far from both planes.
+pub fn levels(height: i32) -> Vec<Triangle> {
+    let levels = [0, 1, height / 2, height, Z - 1];
+    let mut triangles = Vec::new();
+    for a in levels {
+        for b in levels {
+            triangles.extend(levels.map(|c| [[-500, 40, a], [900, -60, b], [10, 700, c]]));
+        }
+    }
+    triangles
+}
+
+/// Triangles with one vertex outside, on the source plane or on or above the receivers'.
+pub fn crossing(count: u32, samples: &Samples, receivers: &Receivers) -> Vec<Triangle> {
+    let mut triangles = Family::LightSized.triangles(count, samples, receivers, 11);
+    for (index, triangle) in triangles.iter_mut().enumerate() {
+        let beyond = random::below((Z - receivers.height) as u32, 12, index as u32) as i32;
+        triangle[index % 3][2] = if index % 2 == 0 { 0 } else { receivers.height + beyond };
+    }
+    triangles
+}
+
+/// Triangles between corners of the grid, next to the source and next to the receivers.
+pub fn corners(count: u32, receivers: &Receivers) -> Vec<Triangle> {
+    let ends = |i: u32, low: i32, high: i32| if random::word(9, i) >> 31 == 0 { low } else { high };
+    let corner =
+        |i: u32| [ends(3 * i, -XY, XY - 1), ends(3 * i + 1, -XY, XY - 1), ends(3 * i + 2, 1, receivers.height - 1)];
+    (0..count).map(|i| [corner(3 * i), corner(3 * i + 1), corner(3 * i + 2)]).collect()
 }
 
 struct Maker<'a> {

@@ -3,9 +3,9 @@
 use sightlines_backend::{Case, Expected, Job, Outputs, Size};
 
 use super::{HalfPlanes, oracle};
-use crate::grid::{Receivers, Samples, Triangle, Z, hidden_set};
+use crate::grid::{Receivers, Samples, Triangle, hidden_set};
 use crate::random;
-use crate::triangles::Family;
+use crate::triangles::{Family, crossing, levels};
 
 fn light(columns: u32, rows: u32) -> Samples {
     Samples { origin: [-1000, -900], step: [63, 58], columns, rows }
@@ -18,7 +18,7 @@ pub(super) fn all() -> Vec<Case> {
     let families = |family: Family| move |s: &Samples, r: &Receivers| family.triangles(16, s, r, 8);
     let mut cases = vec![
         case("nothing", light(32, 32), FEW, |_, _| Vec::new()),
-        case("levels", light(32, 32), FEW, |_, _| levels()),
+        case("levels", light(32, 32), FEW, |_, r| levels(r.height)),
         case("crossing_1024", light(32, 32), FEW, |s, r| crossing(30, s, r)),
         case("crossing_256", light(16, 16), FEW, |s, r| crossing(30, s, r)),
         case("crossing_64", light(8, 8), FEW, |s, r| crossing(60, s, r)),
@@ -28,28 +28,6 @@ pub(super) fn all() -> Vec<Case> {
     cases.extend(Family::ALL.map(|f| case(&format!("family_{}", f.name()), light(32, 32), FEW, families(f))));
     cases.push(floor());
     cases
-}
-
-/// Every combination of heights on, next to and far from both planes.
-fn levels() -> Vec<Triangle> {
-    let levels = [0, 1, FEW.height / 2, FEW.height, Z - 1];
-    let mut triangles = Vec::new();
-    for a in levels {
-        for b in levels {
-            triangles.extend(levels.map(|c| [[-500, 40, a], [900, -60, b], [10, 700, c]]));
-        }
-    }
-    triangles
-}
-
-/// Triangles with one vertex outside, above or below.
-fn crossing(count: u32, samples: &Samples, receivers: &Receivers) -> Vec<Triangle> {
-    let mut triangles = Family::LightSized.triangles(count, samples, receivers, 11);
-    for (index, triangle) in triangles.iter_mut().enumerate() {
-        let beyond = random::below((Z - receivers.height) as u32, 12, index as u32) as i32;
-        triangle[index % 3][2] = if index % 2 == 0 { 0 } else { receivers.height + beyond };
-    }
-    triangles
 }
 
 /// Triangles that stand on the source plane with an edge through samples: their own plane holds a row of them.

@@ -12,7 +12,7 @@
 
 import package::shared::crossing::{edge_function, along_row, first_inside};
 import package::shared::view::{View, receiver_at, sample_row, below};
-import package::shared::wide::{imul_wide, add64, sgn64};
+import package::shared::wide::{imul_wide, add64, dot64, sgn64};
 
 /// Samples along x: a power of two up to 32.
 const COLUMNS: u32 = 32u;
@@ -52,11 +52,6 @@ fn inner(r: vec3<i32>, p: vec3<i32>, q: vec3<i32>, v: i32) -> u32 {
     // For a falling E the samples before the crossing are inside: -E < 0 strictly, so a tie is outside.
     let k = first_inside(f, params.view.sample_step_x, COLUMNS);
     return select(below(COLUMNS) & ~below(k), below(k), n.x < 0);
-}
-
-/// n . d, exact.
-fn dot64(n: vec3<i32>, d: vec3<i32>) -> vec2<u32> {
-    return add64(add64(imul_wide(n.x, d.x), imul_wide(n.y, d.y)), imul_wide(n.z, d.z));
 }
 
 /// The samples of a row strictly on the other side of a triangle's plane than the receiver.

@@ -58,6 +58,11 @@ fn sgn64(a: vec2<u32>) -> i32 {
     return select(select(1, 0, (a.x | a.y) == 0u), -1, (a.y >> 31u) != 0u);
 }
 
+/// a . b modulo 2^64.
+fn dot64(a: vec3<i32>, b: vec3<i32>) -> vec2<u32> {
+    return add64(add64(imul_wide(a.x, b.x), imul_wide(a.y, b.y)), imul_wide(a.z, b.z));
+}
+
 /// |v| as unsigned: right for -2^31 too.
 fn uabs(v: i32) -> u32 {
     let u = bitcast<u32>(v);
