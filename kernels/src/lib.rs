@@ -18,6 +18,7 @@ pub mod grid;
 pub mod half_planes;
 pub mod influence_region;
 pub mod item_histogram;
+pub mod light_sphere;
 pub mod permute;
 pub mod pieces;
 pub mod popcount;
@@ -62,6 +63,7 @@ package! {
         half_planes,
         influence_region,
         item_histogram,
+        light_sphere,
         popcount,
         row_span,
         sat,
