@@ -12,6 +12,8 @@
 //! A triangle whose plane holds R hides nothing. Kernels only *evaluate* this; nothing is clipped or snapped again.
 //! [`hidden`] is the definition in i128, without any thought of speed: it is the oracle of every kernel that makes masks.
 
+use std::ops::{Mul, Sub};
+
 use sightlines_backend::{Error, Result, host};
 
 /// x and y lie in [−XY, XY).
@@ -53,6 +55,22 @@ pub struct Receivers {
     /// Receivers along x.
     pub columns: u32,
     /// Receivers along y.
+    pub rows: u32,
+}
+
+/// A regular grid of receivers on any plane: receiver (i, r) stands at `origin + i·axes[0] + r·axes[1]`.
+///
+/// Floors and walls, the texels of a lightmap and the cells of a height field are lattices; [`Receivers`] are those whose
+/// plane is parallel to the source and whose axes are its axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Lattice {
+    /// Receiver (0, 0).
+    pub origin: Point,
+    /// Steps from a receiver to the next of its row, and to the next of its column.
+    pub axes: [Point; 2],
+    /// Receivers along the first axis.
+    pub columns: u32,
+    /// Receivers along the second axis.
     pub rows: u32,
 }
 
@@ -150,6 +168,12 @@ impl Samples {
         [self.origin[0] + self.step[0] * k, self.origin[1] + self.step[1] * j, 0]
     }
 
+    /// The outermost samples, in the order of their numbers.
+    pub fn corners(&self) -> [Point; 4] {
+        let last = self.count() - 1;
+        [0, self.columns - 1, last - (self.columns - 1), last].map(|sample| self.at(sample))
+    }
+
     /// Refuses what is not on the grid.
     pub fn check(&self) -> Result<()> {
         let steps = self.step.iter().all(|s| *s > 0);
@@ -189,20 +213,68 @@ impl Receivers {
     }
 }
 
+impl From<&Receivers> for Lattice {
+    fn from(receivers: &Receivers) -> Self {
+        let Receivers { origin: [x, y], step: [across, down], height, columns, rows } = *receivers;
+        Lattice { origin: [x, y, height], axes: [[across, 0, 0], [0, down, 0]], columns, rows }
+    }
+}
+
+impl Lattice {
+    /// Number of receivers.
+    pub fn count(&self) -> u32 {
+        self.columns * self.rows
+    }
+
+    /// Where a receiver stands, by its number, row by row.
+    pub fn at(&self, receiver: u32) -> Point {
+        let (i, r) = ((receiver % self.columns) as i32, (receiver / self.columns) as i32);
+        std::array::from_fn(|axis| self.origin[axis] + self.axes[0][axis] * i + self.axes[1][axis] * r)
+    }
+
+    /// Normal of the plane, the cross product of the axes; it fits 32 bits where the axes are shorter than 2^15.
+    pub fn normal(&self) -> Point {
+        cross(self.axes[0], self.axes[1])
+    }
+
+    /// Refuses what is not on the grid, and axes that span no plane.
+    pub fn check(&self) -> Result<()> {
+        let sizes = (1..=8192).contains(&self.columns) && (1..=8192).contains(&self.rows);
+        let short = self.axes.as_flattened().iter().all(|c| c.unsigned_abs() < Z as u32);
+        let plane = || self.normal() != [0; 3];
+        // All receivers lie between the four outermost.
+        let corner = |i: u32, r: u32| -> [i64; 3] {
+            let along = |axis: usize, steps: u32, k: usize| i64::from(self.axes[axis][k]) * i64::from(steps - 1);
+            std::array::from_fn(|k| i64::from(self.origin[k]) + along(0, i, k) + along(1, r, k))
+        };
+        let stands = |[x, y, z]: [i64; 3]| {
+            let across = -i64::from(XY)..i64::from(XY);
+            across.contains(&x) && across.contains(&y) && (1..i64::from(Z)).contains(&z)
+        };
+        let inside = || [(1, 1), (self.columns, 1), (1, self.rows), (self.columns, self.rows)];
+        if !(sizes && short && plane() && inside().into_iter().all(|(i, r)| stands(corner(i, r)))) {
+            let remedy = "give it 1 to 8192 columns and rows, axes that span a plane, and receivers with x and y in \
+                          [-16384, 16384) and z in [1, 32768)";
+            return Err(Error::refused(format!("a lattice of receivers {self:?}"), remedy));
+        }
+        Ok(())
+    }
+}
+
 /// Whether a point lies on the grid.
 pub fn is_on_grid([x, y, z]: Point) -> bool {
     (-XY..XY).contains(&x) && (-XY..XY).contains(&y) && (0..Z).contains(&z)
 }
 
-fn minus(a: Point, b: Point) -> [i128; 3] {
+pub(crate) fn minus(a: Point, b: Point) -> [i128; 3] {
     std::array::from_fn(|i| i128::from(a[i]) - i128::from(b[i]))
 }
 
-fn cross(a: [i128; 3], b: [i128; 3]) -> [i128; 3] {
+pub(crate) fn cross<T: Copy + Mul<Output = T> + Sub<Output = T>>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-fn dot(a: [i128; 3], b: [i128; 3]) -> i128 {
+pub(crate) fn dot(a: [i128; 3], b: [i128; 3]) -> i128 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
@@ -263,6 +335,33 @@ mod tests {
         assert!(!hidden(R, [0, 0, 0], &at(101)), "behind the receiver");
         assert!(!hidden(R, [0, 0, 0], &at(0)), "in the source plane");
         assert!(hidden(R, [0, 0, 0], &[[-10, -10, 120], [10, -10, 120], [0, 10, 20]]), "through the receiver's plane");
+    }
+
+    #[test]
+    fn parallel_receivers_are_a_lattice() {
+        let receivers = Receivers { origin: [-70, 9], step: [3, 5], height: 40, columns: 4, rows: 3 };
+        let lattice = Lattice::from(&receivers);
+        assert_eq!((lattice.count(), lattice.normal()), (12, [0, 0, 15]));
+        assert!((0..12).all(|receiver| lattice.at(receiver) == receivers.at(receiver)));
+    }
+
+    #[test]
+    fn lattices_beside_the_grid_or_without_a_plane_are_refused() {
+        let good = Lattice { origin: [0, 0, 1], axes: [[4, 0, 3], [0, 1, 0]], columns: 4096, rows: 9 };
+        good.check().expect("its last column has x = 16380");
+        let axes = good.axes;
+        for bad in [
+            Lattice { columns: 4097, ..good },
+            Lattice { columns: 0, ..good },
+            Lattice { rows: 8193, ..good },
+            Lattice { origin: [0, 0, 0], ..good },
+            Lattice { axes: [axes[0], axes[0]], ..good },
+            Lattice { axes: [axes[0], [0; 3]], ..good },
+            Lattice { axes: [axes[0], [0, 1 << 15, 0]], rows: 1, ..good },
+            Lattice { axes: [[i32::MAX, 0, i32::MAX], axes[1]], ..good },
+        ] {
+            assert!(bad.check().is_err(), "{bad:?}");
+        }
     }
 
     #[test]

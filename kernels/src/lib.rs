@@ -95,7 +95,8 @@ package! {
         exact / float,
         exact / line,
         exact / plane,
-        exact / wide;
+        exact / wide,
+        influence_region / tilted;
 }
 
 /// Every kernel of the workspace, by name.

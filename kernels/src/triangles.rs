@@ -2,7 +2,7 @@
 //!
 //! Everything is made by counter ([`random`]), so a case's name and seed fix its input.
 
-use crate::grid::{Point, Receivers, Samples, Triangle, XY, Z};
+use crate::grid::{Lattice, Point, Receivers, Samples, Triangle, XY, Z};
 use crate::random;
 
 /// A family of triangles between a light and its receivers.
@@ -61,9 +61,16 @@ impl Family {
         }
     }
 
-    /// `count` triangles strictly between the source and the receivers' plane.
-    pub fn triangles(self, count: u32, samples: &Samples, receivers: &Receivers, seed: u32) -> Vec<Triangle> {
-        let mut maker = Maker { samples, receivers, seed, next: 0 };
+    /// `count` triangles strictly between the source and the farthest of the receivers.
+    pub fn triangles<R>(self, count: u32, samples: &Samples, receivers: R, seed: u32) -> Vec<Triangle>
+    where
+        R: Into<Lattice>,
+    {
+        let receivers = receivers.into();
+        let [across, down] = [receivers.columns, receivers.rows].map(|n| n - 1);
+        let corners = [0, across, down * receivers.columns, down * receivers.columns + across];
+        let height = corners.into_iter().map(|corner| receivers.at(corner)[2]).fold(0, i32::max);
+        let mut maker = Maker { samples, receivers, height, seed, next: 0 };
         let mut triangles = Vec::new();
         while triangles.len() < count as usize {
             self.make(&mut maker, &mut triangles);
@@ -88,7 +95,7 @@ impl Family {
             Family::NearPlanes => {
                 let [mut a, mut b, c] = std::array::from_fn(|_| m.in_light());
                 a[2] = 1;
-                b[2] = m.receivers.height - 1;
+                b[2] = m.height - 1;
                 out.push([a, b, c]);
             }
             Family::AxisParallel => {
@@ -146,7 +153,9 @@ pub fn corners(count: u32, receivers: &Receivers) -> Vec<Triangle> {
 
 struct Maker<'a> {
     samples: &'a Samples,
-    receivers: &'a Receivers,
+    receivers: Lattice,
+    /// z of the farthest receiver.
+    height: i32,
     seed: u32,
     next: u32,
 }
@@ -158,12 +167,12 @@ impl Maker<'_> {
     }
 
     fn between(&self, [x, y, z]: Point) -> Point {
-        [x.clamp(-XY, XY - 1), y.clamp(-XY, XY - 1), z.clamp(1, self.receivers.height - 1)]
+        [x.clamp(-XY, XY - 1), y.clamp(-XY, XY - 1), z.clamp(1, self.height - 1)]
     }
 
     fn anywhere(&mut self) -> Point {
         let xy = 2 * XY as u32;
-        let height = self.receivers.height as u32;
+        let height = self.height as u32;
         [self.below(xy) - XY, self.below(xy) - XY, 1 + self.below(height - 1)]
     }
 

@@ -8,11 +8,16 @@
 //
 // over all points p where a line from a corner sample through a vertex meets the receivers' plane, clamped to the
 // receivers that exist. Output: (first column, last column, first row, last row) a triangle; the region is empty where a
-// first exceeds its last. A triangle with a vertex at or beyond either plane has no bounded projection: if all three lie
-// on one side it hides nothing and its region is empty, otherwise its region is all receivers.
+// first exceeds its last. `tilted.wgsl` is the same for receivers on any plane.
+//
+// The box is the least one for a triangle that lies between the planes. Where a triangle stands partly beyond the
+// receivers' plane, the lines to its vertices there meet the plane on their way, and the box still holds the region of the
+// part in front: that part's points are means of the vertices, and so are their projections. A triangle with a vertex in
+// the source plane has no bounded projection, and its region is all receivers. A triangle that lies wholly in or beyond
+// one of the planes hides nothing, and its region is empty.
 //
 // With w = height - z a line from sample coordinate s through (v, z) meets the plane at (v * height - s * w) / z. All
-// numerators stay below 2^31: |v * height|, |s * w|, |origin * z| < 2^29.
+// numerators stay below 2^31: |v * height|, |s * w|, |origin * z| <= 2^29.
 
 struct Params {
     triangles: u32,
@@ -49,11 +54,14 @@ fn floor_div(n: i32, d: u32) -> i32 {
 
 /// Smallest and largest receiver index that lines through one vertex reach.
 fn reach(v: i32, z: i32, first: i32, last: i32, origin: i32, step: u32) -> vec2<i32> {
+    // Beyond the receivers w is negative, and the samples project in the other order.
     let w = params.height - z;
+    let nearest = min(first * w, last * w);
+    let farthest = max(first * w, last * w);
     let base = v * params.height - origin * z;
     let d = step * bitcast<u32>(z);
     // The least index is a ceiling: -floor(-n / d).
-    return vec2<i32>(-floor_div(last * w - base, d), floor_div(base - first * w, d));
+    return vec2<i32>(-floor_div(farthest - base, d), floor_div(base - nearest, d));
 }
 
 fn join(a: vec2<i32>, b: vec2<i32>) -> vec2<i32> {
@@ -82,7 +90,7 @@ fn influence_region(@builtin(global_invocation_id) id: vec3<u32>) {
         store(triangle, vec2<i32>(0, -1), vec2<i32>(0, -1));
         return;
     }
-    if ((low <= 0) | (high >= params.height)) {
+    if (low <= 0) {
         store(triangle, vec2<i32>(0, 0x7fffffff), vec2<i32>(0, 0x7fffffff));
         return;
     }

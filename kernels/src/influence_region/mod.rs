@@ -1,6 +1,7 @@
 //! Influence regions: which receivers a triangle can hide any sample from, as an exact rectangle.
 //!
-//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 3. `kernel.wgsl` states the output exactly.
+//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 3. `kernel.wgsl` states the output exactly
+//! for receivers on a plane parallel to the source, in 32 bits; `tilted.wgsl` for a lattice of receivers on any plane.
 //! Invariant: a receiver outside a triangle's region is hidden from no sample by it.
 
 use std::sync::Arc;
@@ -13,13 +14,16 @@ use crate::pieces;
 
 mod cases;
 pub mod oracle;
+mod tilted;
+
+pub use tilted::{Corner, TiltedParams, TiltedRegion, TiltedRegions};
 
 /// This kernel in the registry.
 pub const KERNEL: Kernel = Kernel {
     name: "influence_region",
     summary: "rectangle of receivers that each triangle can hide any light sample from",
     citation: "Eisemann and Décoret, Visibility Sampling on GPU and Applications, 2007, section 3, equation 3",
-    programs: || Ok(vec![InfluenceRegion::new()?.program]),
+    programs: || Ok(vec![InfluenceRegion::new()?.program, TiltedRegion::new()?.program]),
     cases: cases::all,
 };
 
@@ -90,14 +94,9 @@ impl InfluenceRegion {
     ) -> Result<()> {
         samples.check()?;
         receivers.check()?;
-        let triangles = vertices.len() / 9;
-        if regions.len() < 4 * triangles || triangles > u64::from(u32::MAX / 9) {
-            let what = format!("{} words of regions for {triangles} triangles", regions.len());
-            return Err(Error::refused(what, "give every triangle four words"));
-        }
-        let triangles = triangles as u32;
+        let triangles = triangles(vertices, regions)?;
         let program = job.program(&self.program);
-        let last = |axis: usize, count: u32| samples.origin[axis] + samples.step[axis] * (count as i32 - 1);
+        let [first, .., last] = samples.corners();
         pieces::record(job, triangles.div_ceil(GROUP), u64::from(13 * GROUP), |job, piece| {
             let params = Params {
                 triangles,
@@ -108,10 +107,10 @@ impl InfluenceRegion {
                 receiver_y: receivers.origin[1],
                 receiver_step_x: receivers.step[0] as u32,
                 receiver_step_y: receivers.step[1] as u32,
-                sample_first_x: samples.origin[0],
-                sample_last_x: last(0, samples.columns),
-                sample_first_y: samples.origin[1],
-                sample_last_y: last(1, samples.rows),
+                sample_first_x: first[0],
+                sample_last_x: last[0],
+                sample_first_y: first[1],
+                sample_last_y: last[1],
                 first: piece.start * GROUP,
             };
             let params = job.value("influence params", &params);
@@ -119,4 +118,14 @@ impl InfluenceRegion {
         });
         Ok(())
     }
+}
+
+/// Number of triangles of `vertices`; refuses regions that are too short for them.
+fn triangles(vertices: Buffer<[i32]>, regions: Buffer<[i32]>) -> Result<u32> {
+    let triangles = vertices.len() / 9;
+    if regions.len() < 4 * triangles || triangles > u64::from(u32::MAX / 9) {
+        let what = format!("{} words of regions for {triangles} triangles", regions.len());
+        return Err(Error::refused(what, "give every triangle four words"));
+    }
+    Ok(triangles as u32)
 }

@@ -1,7 +1,7 @@
 // Lines of the source plane: where the plane through a receiver and an edge cuts it, and which samples lie on which
 // side.
 
-import package::shared::wide::{add64, imul_wide, neg64};
+import package::shared::wide::{add64, dot64, imul_wide, neg64};
 
 /// The half-plane a u + b v + c >= 0; c is a signed 64-bit number.
 struct Line {
@@ -17,7 +17,7 @@ fn edge_line(r: vec3<i32>, v1: vec3<i32>, v2: vec3<i32>) -> Line {
     let d = v1 - r;
     let e = v2 - r;
     let n = vec3<i32>(d.y * e.z - d.z * e.y, d.z * e.x - d.x * e.z, d.x * e.y - d.y * e.x);
-    let c = add64(add64(imul_wide(n.x, r.x), imul_wide(n.y, r.y)), imul_wide(n.z, r.z));
+    let c = dot64(n, r);
     return Line(n.x, n.y, neg64(c));
 }
 
