@@ -6,7 +6,6 @@
 //!
 //! Invariant: a function without a run line is a failure, and so is a builtin or operator that no file reaches.
 
-mod engines;
 mod files;
 mod filetest;
 
@@ -14,10 +13,11 @@ use std::sync::Arc;
 
 use filetest::{File, Mode};
 use libtest_mimic::{Arguments, Failed, Trial};
+use sightlines_testing::engines::engines;
 
 fn main() {
     let arguments = Arguments::from_args();
-    let engines: Arc<Vec<_>> = Arc::new(engines::engines().into_iter().filter(|e| !e.traps).collect());
+    let engines: Arc<Vec<_>> = Arc::new(engines().into_iter().filter(|e| !e.traps).collect());
     let mut trials = Vec::new();
     let mut files = Vec::new();
     for path in files::wgsl_files("ops") {

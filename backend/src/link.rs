@@ -172,11 +172,13 @@ impl Linker<'_> {
     }
 
     fn append(&mut self, path: &str, body: &str, from: Option<&Location>) -> Result<()> {
+        // Files stand on lines of their own; the last one ends where its author ended it.
+        if let Some(before) = self.linked.files.last_mut().filter(|_| !self.linked.text.ends_with('\n')) {
+            self.linked.text.push('\n');
+            before.end += 1;
+        }
         let start = self.linked.text.len();
         self.linked.text.push_str(body);
-        if !body.ends_with('\n') {
-            self.linked.text.push('\n');
-        }
         let bounds = u32::try_from(start).ok().zip(u32::try_from(self.linked.text.len()).ok());
         let (start, end) = bounds.ok_or_else(|| self.error("the linked text is longer than 4 GiB", from))?;
         self.linked.files.push(File { path: path.to_owned(), start, end });

@@ -69,13 +69,15 @@ fn what_only_looks_like_an_import_is_text() {
 }
 
 #[test]
-fn line_ends_are_kept_and_a_last_one_is_added() {
+fn line_ends_are_kept_and_files_stand_on_lines_of_their_own() {
     let main = "import package::shared::ab::a;\r\nfn main() {}";
-    let linked = link(&[("main.wgsl", main), AB], &[]).expect("links");
-    assert!(linked.text.ends_with(" \r\nfn main() {}\n"), "{:?}", linked.text);
+    let open = (AB.0, AB.1.trim_end());
+    let linked = link(&[("main.wgsl", main), open], &[]).expect("links");
+    assert!(linked.text.starts_with(AB.1) && linked.text.ends_with(" \r\nfn main() {}"), "{:?}", linked.text);
     let byte = linked.text.find("main").expect("main");
     assert_eq!(linked.locate(byte), Some(Location { file: "main.wgsl".into(), line: 2, column: 4 }));
-    assert_eq!(linked.locate(linked.text.len()).map(|l| l.line), Some(3));
+    // The end of the text is on a line that the author wrote.
+    assert_eq!(linked.locate(linked.text.len()).map(|l| l.line), Some(2));
     assert_eq!(linked.locate(linked.text.len() + 1), None);
     let first = linked.locate(AB.1.len()).expect("first byte of main");
     assert_eq!((first.file.as_str(), first.line, first.column), ("main.wgsl", 1, 1));

@@ -3,14 +3,13 @@
 use sightlines_backend::Backend;
 use sightlines_backend_cpu::{Bounds, Config, CpuBackend, Simd};
 
-#[path = "../reference/mod.rs"]
-mod reference;
-
-use reference::Reference;
+use crate::reference::Reference;
 
 /// A named machine.
-pub(crate) struct Engine {
+pub struct Engine {
+    /// What tests call it.
     pub name: String,
+    /// The machine.
     pub backend: Box<dyn Backend>,
     /// Whether an access out of bounds stops it.
     pub traps: bool,
@@ -30,7 +29,7 @@ fn config() -> Config {
 
 /// The reference first; then the interpreter at its defaults, counting costs, stopping at accesses out of bounds, at every
 /// SIMD level with few lanes, and with other lanes and threads.
-pub(crate) fn engines() -> Vec<Engine> {
+pub fn engines() -> Vec<Engine> {
     let mut engines = vec![
         Engine { name: "reference".into(), backend: Box::new(Reference), traps: false },
         Engine::cpu("cpu", config()),

@@ -9,7 +9,7 @@ use super::statement::Statement;
 const TIME: Duration = Duration::from_secs(90);
 
 /// The smallest program found for which `fails` holds.
-pub(crate) fn shrink(mut program: Generated, fails: &dyn Fn(&Generated) -> bool) -> Generated {
+pub fn shrink(mut program: Generated, fails: &dyn Fn(&Generated) -> bool) -> Generated {
     let start = Instant::now();
     for simpler in [dropped as Step, simplified] {
         loop {

@@ -14,15 +14,15 @@ pub(crate) struct Variable {
 }
 
 /// What expressions may refer to.
-pub(crate) struct Scope {
-    pub random: Random,
+pub(crate) struct Scope<'r> {
+    pub random: Random<'r>,
     pub structs: Vec<Vec<Type>>,
     pub variables: Vec<Variable>,
     /// Expressions that read shared memory in the present phase, all u32.
     pub shared: Vec<&'static str>,
 }
 
-impl Scope {
+impl Scope<'_> {
     /// The type of a part and its accessor, at random; none for scalars. Indices of arrays may be out of range.
     fn part(&mut self, ty: &Type, depth: usize) -> Option<(String, Type)> {
         match ty {

@@ -51,7 +51,7 @@ impl Type {
     }
 
     /// A scalar, vector or matrix; numbers more often than bool.
-    pub(crate) fn small(random: &mut Random) -> Type {
+    pub(crate) fn small(random: &mut Random<'_>) -> Type {
         let scalar = *random.pick(&[Scalar::Bool, Scalar::I32, Scalar::I32, Scalar::U32, Scalar::U32, Scalar::F32]);
         match random.below(8) {
             0..=4 => Type::Scalar(scalar),
@@ -61,7 +61,7 @@ impl Type {
     }
 
     /// Any type: an array or a structure one time in three.
-    pub(crate) fn any(random: &mut Random, structs: usize) -> Type {
+    pub(crate) fn any(random: &mut Random<'_>, structs: usize) -> Type {
         match random.below(6) {
             0 => Type::Array(Box::new(Type::small(random)), 1 + random.below(6)),
             1 if structs > 0 => Type::Struct(random.below(structs)),

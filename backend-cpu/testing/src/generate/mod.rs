@@ -8,7 +8,7 @@
 //!   "read by all" at barriers in uniform control flow; shared atomics do one commutative operation, results unused.
 //! * *Exact*: the payload of a NaN is never observed.
 //!
-//! The same seed always makes the same program.
+//! Choices come from bytes: a fuzzer's, or those that a seed stands for. The same bytes always make the same program.
 
 mod expression;
 mod program;
@@ -17,5 +17,6 @@ mod shrink;
 mod statement;
 mod types;
 
-pub(crate) use program::{Generated, generate};
-pub(crate) use shrink::shrink;
+pub use program::{Generated, generate};
+pub use random::seeded;
+pub use shrink::shrink;

@@ -14,16 +14,16 @@ const CELLS: usize = 8;
 
 /// A program as trees of statements under fixed text.
 #[derive(Clone)]
-pub(crate) struct Generated {
+pub struct Generated {
     /// Directives and declarations.
     head: String,
     /// Signature and body of each function; the entry point comes last.
-    pub functions: Vec<(String, Vec<Statement>)>,
+    pub(super) functions: Vec<(String, Vec<Statement>)>,
 }
 
 impl Generated {
     /// The program as a file of `tests/shaders`, without its expectations.
-    pub(crate) fn render(&self) -> String {
+    pub fn render(&self) -> String {
         let mut text = self.head.clone();
         for (signature, body) in &self.functions {
             let _ = writeln!(text, "\n{signature} {{");
@@ -36,9 +36,9 @@ impl Generated {
     }
 }
 
-/// The program of a seed.
-pub(crate) fn generate(seed: u64) -> Generated {
-    let mut random = Random::new(seed);
+/// The program that `bytes` choose; the same bytes make the same program.
+pub fn generate(bytes: &[u8]) -> Generated {
+    let mut random = Random::new(bytes);
     let mut structs: Vec<Vec<Type>> = Vec::new();
     for index in 0..1 + random.below(3) {
         let members = 1 + random.below(4);
@@ -55,12 +55,12 @@ pub(crate) fn generate(seed: u64) -> Generated {
     let (entry, cost) = entry(&mut scope, &callees, shape);
     let groups = if cost > 600 { [1, 1, 1] } else { groups };
     functions.push(entry);
-    let head = head(&mut scope, seed, shape, groups);
+    let head = head(&mut scope, shape, groups);
     Generated { head, functions }
 }
 
 /// Workgroup size and number of workgroups.
-fn launch(random: &mut Random) -> [[u32; 3]; 2] {
+fn launch(random: &mut Random<'_>) -> [[u32; 3]; 2] {
     let shapes =
         [[1, 1, 1], [7, 1, 1], [16, 1, 1], [33, 1, 1], [64, 1, 1], [8, 8, 1], [4, 3, 5], [128, 1, 1], [16, 4, 4]];
     let groups = [[1, 1, 1], [2, 1, 1], [3, 1, 1], [2, 2, 1], [1, 3, 2], [9, 1, 1]];
@@ -74,7 +74,7 @@ fn base_variables() -> Vec<Variable> {
     vec![read("lane"), read("own")]
 }
 
-fn function(scope: &mut Scope, index: usize, callees: &[Callee]) -> ((String, Vec<Statement>), Callee) {
+fn function(scope: &mut Scope<'_>, index: usize, callees: &[Callee]) -> ((String, Vec<Statement>), Callee) {
     let structs = scope.structs.len();
     let values: Vec<Type> = (0..1 + scope.random.below(3)).map(|_| Type::small(&mut scope.random)).collect();
     let pointer = scope.random.chance(60).then(|| Type::any(&mut scope.random, structs));
@@ -114,7 +114,7 @@ fn function(scope: &mut Scope, index: usize, callees: &[Callee]) -> ((String, Ve
 }
 
 /// How workgroup memory may be used until the next barrier.
-fn phase(scope: &mut Scope, width: u32, atomics: &mut Vec<String>) -> Vec<Variable> {
+fn phase(scope: &mut Scope<'_>, width: u32, atomics: &mut Vec<String>) -> Vec<Variable> {
     scope.shared.clear();
     atomics.clear();
     let mut own = Vec::new();
@@ -150,7 +150,7 @@ fn phase(scope: &mut Scope, width: u32, atomics: &mut Vec<String>) -> Vec<Variab
     own
 }
 
-fn entry(scope: &mut Scope, callees: &[Callee], shape: [u32; 3]) -> ((String, Vec<Statement>), u64) {
+fn entry(scope: &mut Scope<'_>, callees: &[Callee], shape: [u32; 3]) -> ((String, Vec<Statement>), u64) {
     let width = shape.iter().product::<u32>();
     scope.variables = base_variables();
     scope.variables.push(Variable { name: "hidden".to_owned(), ty: Type::Array(Box::new(U32), 3), writable: true });
@@ -225,14 +225,13 @@ fn entry(scope: &mut Scope, callees: &[Callee], shape: [u32; 3]) -> ((String, Ve
     ((signature, statements), cost)
 }
 
-fn head(scope: &mut Scope, seed: u64, shape: [u32; 3], groups: [u32; 3]) -> String {
+fn head(scope: &mut Scope<'_>, shape: [u32; 3], groups: [u32; 3]) -> String {
     let width = shape.iter().product::<u32>();
     let invocations = width * groups.iter().product::<u32>();
     let mut words = |n: usize| (0..n).map(|_| scope.random.word().to_string()).collect::<Vec<_>>().join(" ");
     let (input, params, cells) = (words(64), words(16), words(CELLS));
     let mut head = format!(
-        "// Seed {seed}.\n\
-         //! buffer 0: u32 {input}\n\
+        "//! buffer 0: u32 {input}\n\
          //! buffer 1: u32 {params}\n\
          //! buffer 2: zero {}\n\
          //! buffer 3: u32 {cells}\n\

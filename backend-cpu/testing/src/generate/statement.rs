@@ -44,8 +44,8 @@ pub(crate) struct Callee {
 }
 
 /// Where statements are being made.
-pub(crate) struct Body<'a> {
-    pub scope: &'a mut Scope,
+pub(crate) struct Body<'a, 'r> {
+    pub scope: &'a mut Scope<'r>,
     pub callees: &'a [Callee],
     /// Type to return; none in the entry point.
     pub result: Option<Type>,
@@ -70,7 +70,7 @@ pub(crate) struct Jumps {
 /// Most that one function may cost.
 const LIMIT: u64 = 700;
 
-impl Body<'_> {
+impl Body<'_, '_> {
     pub(crate) fn fresh(&mut self, prefix: &str) -> String {
         self.names += 1;
         format!("{prefix}{}", self.names)

@@ -1,4 +1,18 @@
-//! Reads and runs the files of `tests/shaders` and `tests/regressions`.
+//! Programs as files: WGSL modules whose comments say what to run and what must come out.
+//!
+//! ```text
+//! //! buffer 0: u32 1 2 3          a buffer at @group(0) @binding(0) with these words
+//! //! buffer 1: zero 16            16 words of zero
+//! //! override: N = 4              for the dispatches that follow
+//! //! dispatch: main 2 1 1         entry point and workgroups
+//! //! indirect: main 0 16          entry point, buffer and byte offset of the workgroup counts
+//! //! expect 1: i32 3 -4 5 0*13    the buffer's words after all dispatches; v*n is n times v
+//! //! counts: 64 2 1 12 0 0        semantic costs: invocations, loads, stores, bytes, atomics, barriers
+//! //! trap: 12 out of bounds       with bounds that trap, line 12 must trap with a message that contains this text
+//! //! fails: non-uniform           every machine must refuse with a message that contains this text
+//! ```
+//!
+//! Invariant: a file that expects nothing is a failure.
 
 use std::collections::BTreeMap;
 
@@ -7,16 +21,16 @@ use sightlines_backend::{Backend, BufferId, Command, Dispatch, Groups, Job, Link
 use crate::engines::Engine;
 
 /// Words of each buffer, by binding.
-pub(crate) type Buffers = BTreeMap<u32, Vec<u32>>;
+pub type Buffers = BTreeMap<u32, Vec<u32>>;
 
 /// Semantic costs, from machines that count.
 type Costs = Option<[u64; 6]>;
 
 /// What a run leaves, with its costs.
-pub(crate) type Outcome = (Buffers, Costs);
+pub type Outcome = (Buffers, Costs);
 
 /// What a file says.
-pub(crate) struct Script {
+pub struct Script {
     path: String,
     text: String,
     buffers: Buffers,
@@ -42,7 +56,8 @@ enum Count {
 }
 
 impl Script {
-    pub(crate) fn parse(path: &str, text: String) -> Result<Self, String> {
+    /// Reads a file; `path` is what its messages call it.
+    pub fn parse(path: &str, text: String) -> Result<Self, String> {
         let mut script = Script {
             path: path.to_owned(),
             text: String::new(),
@@ -105,7 +120,7 @@ impl Script {
     }
 
     /// Runs everything on one machine and compares.
-    pub(crate) fn run(&self, engine: &Engine) -> Result<(), String> {
+    pub fn run(&self, engine: &Engine) -> Result<(), String> {
         let silent = self.expected.is_empty() && self.trap.is_none() && self.fails.is_none();
         if silent || self.dispatches.is_empty() {
             return Err(format!("{}: runs or expects nothing", self.path));
@@ -134,7 +149,14 @@ impl Script {
     }
 
     /// All buffers as they are after the run, and the costs from machines that count.
-    pub(crate) fn execute(&self, backend: &dyn Backend) -> Result<Outcome, String> {
+    pub fn execute(&self, backend: &dyn Backend) -> Result<Outcome, String> {
+        let job = self.job()?;
+        let (outputs, counts) = run_job(&job, backend).map_err(|e| e.to_string())?;
+        Ok((self.buffers.keys().copied().zip(outputs.iter().map(|bytes| to_words(bytes))).collect(), counts))
+    }
+
+    /// The work as a checked job, which reads every buffer.
+    pub fn job(&self) -> Result<Job, String> {
         let linked = Linked::single(&self.path, &self.text).map_err(|e| e.to_string())?;
         let program = Program::unlinted(&self.path, linked).map_err(|e| e.to_string())?;
         let mut job = Job::new();
@@ -158,11 +180,7 @@ impl Script {
             job.read(format!("{binding}"), buffer);
         }
         sightlines_backend::check::job(&job).map_err(|e| e.to_string())?;
-        run_job(&job, backend).map_err(|e| e.to_string()).map(|(outputs, counts)| {
-            let word = |b: &[u8]| u32::from_le_bytes([b[0], b[1], b[2], b[3]]);
-            let words = outputs.iter().map(|bytes| bytes.chunks_exact(4).map(word).collect());
-            (buffers.into_keys().zip(words).collect(), counts)
-        })
+        Ok(job)
     }
 }
 
@@ -174,6 +192,10 @@ fn run_job(job: &Job, backend: &dyn Backend) -> sightlines_backend::Result<(Outp
     let outputs = job.reads.iter().map(|read| session.read(read)).collect::<Result<_, _>>()?;
     let counts = session.counts().map(|c| [c.invocations, c.loads, c.stores, c.bytes, c.atomics, c.barriers]);
     Ok((outputs, counts))
+}
+
+fn to_words(bytes: &[u8]) -> Vec<u32> {
+    bytes.as_chunks().0.iter().map(|bytes| u32::from_le_bytes(*bytes)).collect()
 }
 
 fn refusal(result: Result<Outcome, String>, wanted: &str) -> Result<(), String> {

@@ -15,7 +15,7 @@ mod memory;
 mod session;
 mod value;
 
-pub(crate) use session::Reference;
+pub use session::Reference;
 
 use sightlines_backend::{ErrorKind, Result};
 

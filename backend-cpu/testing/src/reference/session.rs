@@ -10,7 +10,7 @@ use sightlines_backend::{
 use super::dispatch::dispatch;
 
 /// The scalar evaluator.
-pub(crate) struct Reference;
+pub struct Reference;
 
 struct Memory {
     programs: Vec<Arc<Program>>,
