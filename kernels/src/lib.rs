@@ -19,6 +19,8 @@ pub mod half_planes;
 pub mod influence_region;
 pub mod item_histogram;
 pub mod light_sphere;
+pub mod line_mask;
+pub mod pattern;
 pub mod permute;
 pub mod pieces;
 pub mod popcount;
@@ -64,6 +66,7 @@ package! {
         influence_region,
         item_histogram,
         light_sphere,
+        line_mask,
         popcount,
         row_span,
         sat,
@@ -96,7 +99,10 @@ package! {
         exact / line,
         exact / plane,
         exact / wide,
-        influence_region / tilted;
+        influence_region / tilted,
+        line_mask / build,
+        line_mask / differ,
+        line_mask / hough;
 }
 
 /// Every kernel of the workspace, by name.

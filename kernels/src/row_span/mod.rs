@@ -93,6 +93,24 @@ impl Tiles {
         Tiles { size, count, starts, entries }
     }
 
+    /// The triangles of the tile that holds receiver (x, y).
+    pub fn list(&self, x: u32, y: u32) -> &[u32] {
+        let tile = (y / self.size[1] * self.count[0] + x / self.size[0]) as usize;
+        &self.entries[self.starts[tile] as usize..self.starts[tile + 1] as usize]
+    }
+
+    /// Receiver rows from `row` on that one recording takes, up to `rows` and in steps of `step`: the first that brings the
+    /// workgroups' list entries to `pairs` ends it.
+    pub fn rows_within(&self, rows: u32, row: u32, step: u32, pairs: u64) -> u32 {
+        let mut cost = 0;
+        let mut end = row;
+        while end < rows && cost < pairs {
+            cost += self.row_entries(end / self.size[1]) + u64::from(self.count[0]);
+            end += step;
+        }
+        end.min(rows)
+    }
+
     /// Entries of the tiles in a row of tiles.
     fn row_entries(&self, row: u32) -> u64 {
         let first = (row * self.count[0]) as usize;
@@ -155,7 +173,7 @@ impl RowSpan {
         let program = job.program(&self.program);
         let mut row = 0;
         while row < receivers.rows {
-            let end = self.piece(receivers, tiles, row);
+            let end = tiles.rows_within(receivers.rows, row, 1, PAIRS);
             pieces::cut(job);
             let params = job.value("row span params", &self.params(receivers, tiles, row));
             let Scene { vertices, starts, entries, hidden } = scene;
@@ -164,17 +182,6 @@ impl RowSpan {
             row = end;
         }
         Ok(())
-    }
-
-    /// Receiver rows from `row` on that one recording takes: the first that exceeds its cost ends it.
-    fn piece(&self, receivers: &Receivers, tiles: &Tiles, row: u32) -> u32 {
-        let mut pairs = 0;
-        let mut end = row;
-        while end < receivers.rows && pairs < PAIRS {
-            pairs += tiles.row_entries(end / tiles.size[1]) + u64::from(tiles.count[0]);
-            end += 1;
-        }
-        end
     }
 
     fn params(&self, receivers: &Receivers, tiles: &Tiles, first_row: u32) -> Params {

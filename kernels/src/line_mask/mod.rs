@@ -1,0 +1,368 @@
+//! Line masks: the masks of any pattern of samples by a table over the space of lines.
+//!
+//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", sections 5 and 6. `build.wgsl` states what a table
+//! holds, `kernel.wgsl` what is made of it. Invariant: with an exact table the masks are those of
+//! [`crate::grid::hidden`], bit for bit, on every machine and whatever the resolution; with the paper's they are equal on
+//! every machine, and as wrong as its resolution makes them.
+
+use std::sync::Arc;
+
+use glam::{IVec2, IVec4};
+use sightlines_backend::host::{Bindings, Buffer};
+use sightlines_backend::{Define, Error, Job, Kernel, Program, Result, bindings, host};
+
+use crate::grid::{Receivers, View};
+use crate::pattern::Pattern;
+use crate::pieces;
+use crate::row_span::{Scene, Tiles};
+
+mod axes;
+mod cases;
+pub mod oracle;
+
+pub use axes::{AXIS, axes};
+
+/// This kernel in the registry.
+pub const KERNEL: Kernel = Kernel {
+    name: "line_mask",
+    summary: "samples of any pattern that triangles hide, by a table of lines: exact, or the paper's",
+    citation: "Eisemann and Décoret, Visibility Sampling on GPU and Applications, 2007, sections 5 and 6",
+    programs: || Ok(vec![builder()?, differ()?, program(Space::Exact)?, program(Space::Sampled)?]),
+    cases: cases::all,
+};
+
+/// Workgroups times list entries of one recording.
+const PAIRS: u64 = 1 << 16;
+
+const GROUP: u32 = 256;
+
+/// Bytes that one binding may have.
+const MAX_TABLE: u64 = 128 << 20;
+
+host! {
+    /// Mirrors `struct Params` of `build.wgsl`.
+    pub struct BuildParams {
+        /// Cell of the first invocation.
+        pub first: u32,
+        /// Cells of the table.
+        pub cells: u32,
+        /// Samples lie inside the square of half side 2^h.
+        pub h: u32,
+        /// log2 of the number of directions, or of angles.
+        pub k: u32,
+        /// Number of samples.
+        pub samples: u32,
+        /// Samples of a word.
+        pub bits: u32,
+        /// Words of a mask.
+        pub words: u32,
+    }
+
+    /// Mirrors `struct Params` of `differ.wgsl`.
+    pub struct DifferParams {
+        /// Word of the first invocation.
+        pub first: u32,
+        /// Words of a map.
+        pub words: u32,
+        /// Where the counts begin.
+        pub slot: u32,
+    }
+
+    /// Mirrors `struct Params` of `kernel.wgsl`.
+    pub struct Params {
+        /// Receiver row of the first workgroup row.
+        pub first_row: u32,
+        /// Receiver rows that share a tile list.
+        pub tile_rows: u32,
+        /// Tiles along x.
+        pub tiles: u32,
+        /// Receivers of a workgroup along x.
+        pub width: u32,
+        /// Receivers of a workgroup along y.
+        pub height: u32,
+        /// Triangles at a time.
+        pub batch: u32,
+        /// x of the centre of the pattern.
+        pub centre_x: i32,
+        /// y of the centre of the pattern.
+        pub centre_y: i32,
+        /// Samples lie inside the square of half side 2^h about the centre.
+        pub h: u32,
+        /// log2 of the table's directions, or angles.
+        pub k: u32,
+        /// Number of samples.
+        pub samples: u32,
+        /// Samples of a word.
+        pub bits: u32,
+        /// Words of a mask.
+        pub words: u32,
+        /// WGSL places structs of a uniform at multiples of 16 bytes.
+        pub _pad0: u32,
+        /// The same.
+        pub _pad1: u32,
+        /// The same.
+        pub _pad2: u32,
+        /// Receivers.
+        pub view: View,
+    }
+}
+
+bindings! {
+    /// What `build_exact` is given.
+    pub struct BuildExact {
+        uniform params @ 0: BuildParams,
+        read samples @ 1: [IVec2],
+        write table @ 3: [u32],
+    }
+
+    /// What `build_sampled` is given.
+    pub struct BuildSampled {
+        uniform params @ 0: BuildParams,
+        read samples @ 1: [IVec2],
+        read axes @ 2: [IVec4],
+        write table @ 3: [u32],
+    }
+
+    /// What `differ` is given.
+    pub struct Differ {
+        uniform params @ 0: DifferParams,
+        read found @ 1: [u32],
+        read truth @ 2: [u32],
+        write counts @ 3: [u32],
+    }
+
+    /// What `line_mask` is given.
+    pub struct Lookups {
+        uniform params @ 0: Params,
+        read vertices @ 1: [i32],
+        read starts @ 2: [u32],
+        read entries @ 3: [u32],
+        read samples @ 4: [IVec2],
+        read table @ 5: [u32],
+        write hidden @ 6: [u32],
+    }
+}
+
+/// A space of oriented lines.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Space {
+    /// L1 directions and offsets; a cell knows what is certain, and what is not is decided by signs. 2^k directions in each
+    /// of two quadrants by 2^(k + 1) offsets, two masks a cell.
+    Exact,
+    /// The paper's angles and distances, 2^k of each; a texel's mask is that of its centre.
+    Sampled,
+}
+
+/// A space cut into cells: `bits` is the k of [`Space`], 1 to 10.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Resolution {
+    /// The space.
+    pub space: Space,
+    /// log2 of its directions or angles.
+    pub bits: u32,
+}
+
+impl Resolution {
+    /// An exact table in which a cell leaves few samples to be decided: 64 directions up to 128 samples, else 128.
+    pub fn exact(pattern: &Pattern) -> Self {
+        Resolution { space: Space::Exact, bits: if pattern.count() <= 128 { 6 } else { 7 } }
+    }
+
+    /// Cells of the table.
+    pub fn cells(self) -> u32 {
+        match self.space {
+            Space::Exact => 1 << (2 * self.bits + 2),
+            Space::Sampled => 1 << (2 * self.bits),
+        }
+    }
+
+    /// Words of a cell whose masks have `words` words.
+    fn cell_words(self, words: u32) -> u64 {
+        match self.space {
+            Space::Exact => 2 * u64::from(words),
+            Space::Sampled => u64::from(words),
+        }
+    }
+}
+
+/// A pattern's table on a device.
+#[derive(Clone, Copy)]
+pub struct Table {
+    /// The samples, relative to the pattern's centre.
+    pub samples: Buffer<[IVec2]>,
+    /// The masks of its cells.
+    pub cells: Buffer<[u32]>,
+}
+
+fn builder() -> Result<Arc<Program>> {
+    let program = Program::new("line_mask.build", "line_mask/build.wgsl", &crate::source, &[])?;
+    BuildExact::check(&program, "build_exact")?;
+    BuildSampled::check(&program, "build_sampled")?;
+    Ok(program)
+}
+
+fn differ() -> Result<Arc<Program>> {
+    let program = Program::new("line_mask.differ", "line_mask/differ.wgsl", &crate::source, &[])?;
+    Differ::check(&program, "differ")?;
+    Ok(program)
+}
+
+/// Adds to `counts[slot]` the bits that of two hidden-samples maps only `found` has, and to `counts[slot + 1]` those that
+/// only `truth` has: how wrong a table is.
+pub fn record_differ(
+    job: &mut Job,
+    found: Buffer<[u32]>,
+    truth: Buffer<[u32]>,
+    slot: u32,
+    counts: Buffer<[u32]>,
+) -> Result<()> {
+    if found.len() != truth.len() || found.len() > u64::from(u32::MAX) || counts.len() < u64::from(slot) + 2 {
+        let what = format!("maps of {} and {} words, {} counts", found.len(), truth.len(), counts.len());
+        return Err(Error::refused(what, "compare maps of equal size, and give two counts at the slot"));
+    }
+    let words = found.len() as u32;
+    let program = job.program(&differ()?);
+    pieces::record(job, words.div_ceil(256), 2 * 256, |job, piece| {
+        let params = job.value("differ params", &DifferParams { first: piece.start * 256, words, slot });
+        job.launch(program, "differ", &Differ { params, found, truth, counts }, [piece.len() as u32, 1, 1]);
+    });
+    Ok(())
+}
+
+fn program(space: Space) -> Result<Arc<Program>> {
+    let variant = match space {
+        Space::Exact => "exact",
+        Space::Sampled => "sampled",
+    };
+    let program = crate::program("line_mask", variant, &[Define::new("EXACT", space == Space::Exact)])?;
+    Lookups::check(&program, "line_mask")?;
+    Ok(program)
+}
+
+/// Receivers of one workgroup along x and y: a tile is as wide, and as high or a multiple of it.
+pub fn tile_shape(pattern: &Pattern) -> [u32; 2] {
+    let most = 256 / pattern.words();
+    let width = most.min(16);
+    [width, most / width]
+}
+
+/// The compiled kernel, for one pattern.
+pub struct LineMask {
+    builder: Arc<Program>,
+    program: Arc<Program>,
+    pattern: Pattern,
+    resolution: Resolution,
+}
+
+impl LineMask {
+    /// Compiles it for a pattern and a resolution of its table.
+    pub fn new(pattern: &Pattern, resolution: Resolution) -> Result<Self> {
+        let bytes = 4 * u64::from(resolution.cells()) * resolution.cell_words(pattern.words());
+        if !(1..=10).contains(&resolution.bits) || bytes > MAX_TABLE {
+            let what = format!("a table of {bytes} bytes: {} bits of direction", resolution.bits);
+            return Err(Error::refused(what, format!("use 1 to 10 bits, and at most {MAX_TABLE} bytes")));
+        }
+        let pattern = pattern.clone();
+        Ok(LineMask { builder: builder()?, program: program(resolution.space)?, pattern, resolution })
+    }
+
+    /// Builds the table, in recordings of bounded cost.
+    pub fn record_table(&self, job: &mut Job) -> Table {
+        let words = self.pattern.words();
+        let centre = IVec2::from_array(self.pattern.centre());
+        let points: Vec<IVec2> = self.pattern.points().iter().map(|p| IVec2::from_array(*p) - centre).collect();
+        let samples = job.slice("samples", &points);
+        let cells = self.resolution.cells();
+        let table = job.zeroed("table", u64::from(cells) * self.resolution.cell_words(words));
+        let program = job.program(&self.builder);
+        let axes = match self.resolution.space {
+            Space::Exact => None,
+            Space::Sampled => Some(job.slice("axes", &axes(self.pattern.half_side_bits(), self.resolution.bits))),
+        };
+        pieces::record(job, cells.div_ceil(GROUP), u64::from(GROUP * words * self.pattern.bits()), |job, piece| {
+            let params = job.value("table params", &self.build_params(piece.start * GROUP));
+            let groups = [piece.len() as u32, words, 1];
+            match axes {
+                None => job.launch(program, "build_exact", &BuildExact { params, samples, table }, groups),
+                Some(axes) => {
+                    job.launch(program, "build_sampled", &BuildSampled { params, samples, axes, table }, groups);
+                }
+            }
+        });
+        Table { samples, cells: table }
+    }
+
+    /// Adds the samples that the tiles' triangles hide to `hidden`, in recordings of bounded cost. `table` is this
+    /// pattern's, and triangles may lie anywhere on the grid.
+    pub fn record(
+        &self,
+        job: &mut Job,
+        receivers: &Receivers,
+        tiles: &Tiles,
+        table: Table,
+        scene: Scene,
+    ) -> Result<()> {
+        receivers.check()?;
+        let words = u64::from(receivers.count()) * u64::from(self.pattern.words());
+        let [width, height] = tile_shape(&self.pattern);
+        if tiles.size[0] != width || !tiles.size[1].is_multiple_of(height) || scene.hidden.len() < words {
+            let what = format!("tiles of {:?} receivers and {} words of masks", tiles.size, scene.hidden.len());
+            let remedy = format!("use tiles {width} wide and a multiple of {height} high, and {words} words");
+            return Err(Error::refused(what, remedy));
+        }
+        let cells = u64::from(self.resolution.cells()) * self.resolution.cell_words(self.pattern.words());
+        if table.cells.len() != cells || table.samples.len() != u64::from(self.pattern.count()) {
+            let what = format!("a table of {} words for {} samples", table.cells.len(), table.samples.len());
+            return Err(Error::refused(what, "record the table of this pattern and resolution"));
+        }
+        let program = job.program(&self.program);
+        let mut row = 0;
+        while row < receivers.rows {
+            let end = tiles.rows_within(receivers.rows, row, height, PAIRS);
+            pieces::cut(job);
+            let params = job.value("line mask params", &self.params(receivers, tiles, row));
+            let Scene { vertices, starts, entries, hidden } = scene;
+            let Table { samples, cells: table } = table;
+            let bound = Lookups { params, vertices, starts, entries, samples, table, hidden };
+            job.launch(program, "line_mask", &bound, [tiles.count[0], (end - row).div_ceil(height), 1]);
+            row = end;
+        }
+        Ok(())
+    }
+
+    fn build_params(&self, first: u32) -> BuildParams {
+        BuildParams {
+            first,
+            cells: self.resolution.cells(),
+            h: self.pattern.half_side_bits(),
+            k: self.resolution.bits,
+            samples: self.pattern.count(),
+            bits: self.pattern.bits(),
+            words: self.pattern.words(),
+        }
+    }
+
+    fn params(&self, receivers: &Receivers, tiles: &Tiles, first_row: u32) -> Params {
+        let [width, height] = tile_shape(&self.pattern);
+        let [centre_x, centre_y] = self.pattern.centre();
+        Params {
+            first_row,
+            tile_rows: tiles.size[1],
+            tiles: tiles.count[0],
+            width,
+            height,
+            batch: 256 / (width * height),
+            centre_x,
+            centre_y,
+            h: self.pattern.half_side_bits(),
+            k: self.resolution.bits,
+            samples: self.pattern.count(),
+            bits: self.pattern.bits(),
+            words: self.pattern.words(),
+            _pad0: 0,
+            _pad1: 0,
+            _pad2: 0,
+            view: View::of(receivers),
+        }
+    }
+}
