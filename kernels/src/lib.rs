@@ -30,6 +30,7 @@ pub mod sat;
 pub mod scan;
 pub mod screen;
 pub mod triangles;
+pub mod vertex_visibility;
 
 /// Makes the registry and the table of WGSL texts from one list; `parts` are further texts of a kernel's folder.
 macro_rules! package {
@@ -70,7 +71,8 @@ package! {
         popcount,
         row_span,
         sat,
-        scan;
+        scan,
+        vertex_visibility;
     shared:
         angle,
         backprojection,

@@ -61,6 +61,9 @@ fn every_program_compiles_and_is_its_own_variant() {
 
 #[test]
 fn every_case_is_sound_and_together_they_run_every_program_and_entry_point() {
+    // A kernel may be composed with others: their programs are listed where they belong.
+    let all: Vec<_> = registry().iter().flat_map(|kernel| (kernel.programs)().expect("they compile")).collect();
+    let known: HashSet<&str> = all.iter().map(|program| program.id()).collect();
     for kernel in registry() {
         let programs = (kernel.programs)().expect("they compile");
         let listed: HashSet<&str> = programs.iter().map(|program| program.id()).collect();
@@ -74,10 +77,11 @@ fn every_case_is_sound_and_together_they_run_every_program_and_entry_point() {
             bounded(&name, &case, &job);
             answered(&name, &case, &job);
             for program in &job.programs {
-                assert!(listed.contains(program.id()), "{name} runs {}, which is not listed", program.label());
+                assert!(known.contains(program.id()), "{name} runs {}, which is not listed", program.label());
                 programs_left.remove(program.id());
             }
-            for dispatch in dispatches(&job) {
+            let own = |d: &&Dispatch| listed.contains(job.programs[d.program.0 as usize].id());
+            for dispatch in dispatches(&job).filter(own) {
                 entries_left.remove(dispatch.entry.as_str());
             }
         }
