@@ -65,7 +65,7 @@ impl<'a> CpuSession<'a> {
             exec::run(&code, &program, &mut self.buffers, &ranges, groups, &settings).map_err(Error::from)?;
         self.lane_ops += lane_ops;
         if self.backend.config.count {
-            self.add(counts);
+            self.counts += counts;
         }
         Ok(())
     }
@@ -89,16 +89,6 @@ impl<'a> CpuSession<'a> {
             });
         }
         Ok(ranges)
-    }
-
-    fn add(&mut self, counts: Counts) {
-        let sum = &mut self.counts;
-        sum.invocations += counts.invocations;
-        sum.loads += counts.loads;
-        sum.stores += counts.stores;
-        sum.bytes += counts.bytes;
-        sum.atomics += counts.atomics;
-        sum.barriers += counts.barriers;
     }
 }
 

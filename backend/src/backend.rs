@@ -1,5 +1,6 @@
 //! What a machine must do: say who it is, open a session, run recordings, read buffers.
 
+use std::ops::AddAssign;
 use std::sync::Arc;
 
 use crate::{BufferDesc, Job, Program, Read, Recording, Result};
@@ -32,6 +33,18 @@ pub struct Counts {
     pub atomics: u64,
     /// Barriers, one for each workgroup that passes one.
     pub barriers: u64,
+}
+
+impl AddAssign for Counts {
+    fn add_assign(&mut self, more: Counts) {
+        let Counts { invocations, loads, stores, bytes, atomics, barriers } = self;
+        *invocations += more.invocations;
+        *loads += more.loads;
+        *stores += more.stores;
+        *bytes += more.bytes;
+        *atomics += more.atomics;
+        *barriers += more.barriers;
+    }
 }
 
 /// One entry for each [`Job::reads`], in its order.

@@ -10,7 +10,7 @@ use exr::prelude::{Encoding, Image, SpecificChannels, WritableImage};
 
 use crate::error::Result;
 use crate::output;
-use crate::shadows::Bake;
+use crate::shadows::{Bake, Sets};
 
 /// How many light samples each texel sees, over one or more lights.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -35,7 +35,8 @@ pub enum Depth {
 impl Share {
     /// The share of one light.
     pub fn of(bake: &Bake) -> Self {
-        Share { resolution: bake.resolution, samples: bake.samples, visible: bake.visible() }
+        let Sets { resolution, samples, .. } = bake.sets;
+        Share { resolution, samples, visible: bake.visible.clone() }
     }
 
     /// Adds another light of the same receiver.

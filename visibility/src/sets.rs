@@ -24,7 +24,7 @@ use sightlines_backend::CONTRACT_VERSION;
 
 use crate::error::{Error, Place, Result};
 use crate::output;
-use crate::shadows::{Bake, MAX_RESOLUTION, MAX_WORDS, SAMPLES};
+use crate::shadows::{MAX_RESOLUTION, MAX_WORDS, SAMPLES, Sets};
 
 /// First bytes of a file of sets.
 pub const MAGIC: [u8; 16] = *b"sightlines sets\n";
@@ -41,17 +41,17 @@ const CHUNK: usize = 1 << 16;
 /// # Errors
 ///
 /// A file that cannot be written; then nothing of it is left.
-pub fn write(path: &Path, bake: &Bake) -> Result<()> {
+pub fn write(path: &Path, sets: &Sets) -> Result<()> {
     output::write(path, |out| {
         let mut hasher = blake3::Hasher::new();
         let mut emit = |bytes: &[u8]| -> io::Result<()> {
             hasher.update(bytes);
             out.write_all(bytes)
         };
-        emit(&header(bake))?;
-        let samples = bake.samples_uv.as_flattened();
+        emit(&header(sets))?;
+        let samples = sets.samples_uv.as_flattened();
         emit(&samples.iter().flat_map(|v| v.to_le_bytes()).collect::<Vec<_>>())?;
-        for words in bake.masks.chunks(CHUNK / 4) {
+        for words in sets.masks.chunks(CHUNK / 4) {
             emit(&words.iter().flat_map(|v| v.to_le_bytes()).collect::<Vec<_>>())?;
         }
         let digest = hasher.finalize();
@@ -59,12 +59,12 @@ pub fn write(path: &Path, bake: &Bake) -> Result<()> {
     })
 }
 
-fn header(bake: &Bake) -> Vec<u8> {
+fn header(sets: &Sets) -> Vec<u8> {
     let mut header = MAGIC.to_vec();
-    for field in [VERSION, CONTRACT_VERSION, bake.resolution, bake.samples, bake.words, 0] {
+    for field in [VERSION, CONTRACT_VERSION, sets.resolution, sets.samples, sets.words, 0] {
         header.extend(field.to_le_bytes());
     }
-    header.extend(bake.cell.to_le_bytes());
+    header.extend(sets.cell.to_le_bytes());
     header
 }
 
@@ -73,7 +73,7 @@ fn header(bake: &Bake) -> Vec<u8> {
 /// # Errors
 ///
 /// A file that is missing, is not such a file, is of another version, or is damaged.
-pub fn read(path: &Path) -> Result<Bake> {
+pub fn read(path: &Path) -> Result<Sets> {
     let failed = |source| Error::read(path, source);
     // The largest file that can be right: nothing larger is read into memory.
     let most = (HEADER + 8 * 1024 + DIGEST) as u64 + 4 * MAX_WORDS;
@@ -87,7 +87,7 @@ fn damaged(path: &Path, what: impl Into<String>) -> Error {
     Place::file(path).error(what, "bake the sets again with `sightlines shadows --sets`")
 }
 
-fn decode(bytes: &[u8]) -> Result<Bake, String> {
+fn decode(bytes: &[u8]) -> Result<Sets, String> {
     let Some((header, rest)) = bytes.split_at_checked(HEADER).filter(|(header, _)| header.starts_with(&MAGIC)) else {
         return Err("it is no file of hidden-sample sets".into());
     };
@@ -118,7 +118,7 @@ fn decode(bytes: &[u8]) -> Result<Bake, String> {
     }
     let (positions, masks) = body[HEADER..].split_at(positions);
     let samples_uv = words_of(positions).as_chunks::<2>().0.iter().map(|uv| uv.map(|v| v as i32)).collect();
-    Ok(Bake { resolution, samples, words, masks: words_of(masks), samples_uv, cell })
+    Ok(Sets { resolution, samples, words, masks: words_of(masks), samples_uv, cell })
 }
 
 fn words_of(bytes: &[u8]) -> Vec<u32> {

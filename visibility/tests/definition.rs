@@ -1,12 +1,13 @@
 //! Baked sets against the definition, in i128: whole on small scenes, on a seeded penumbra sample of the palms.
 
 use sightlines_backend_cpu::{Bounds, Config, CpuBackend};
-use sightlines_kernels::grid::{Triangle, hidden_set};
+use sightlines_kernels::grid::hidden_set;
 use sightlines_kernels::influence_region::oracle::region;
 use sightlines_kernels::random;
 use sightlines_visibility::scene::{Generator, generate};
+use sightlines_visibility::setup::{Settings, Setup};
 use sightlines_visibility::shadows::snap::{Snapped, snap};
-use sightlines_visibility::shadows::{Bake, Rect, Request, bake};
+use sightlines_visibility::shadows::{Bake, Rect, Request, Work, bake};
 
 fn machine() -> CpuBackend {
     CpuBackend::new(Config { bounds: Bounds::Trap, ..Config::default() })
@@ -22,25 +23,42 @@ fn request(triangles: Vec<[[f64; 3]; 3]>, resolution: u32, samples: u32, side: f
     }
 }
 
-/// The set of a texel, by the definition alone.
-fn defined(scene: &Snapped, side: u32, texel: u32) -> Vec<u32> {
-    let (mut column, mut row) = (texel % side, texel / side);
-    if scene.mirrored[0] {
-        column = side - 1 - column;
+/// A scene with the regions of its triangles, by their oracle.
+struct Defined {
+    scene: Snapped,
+    regions: Vec<[i32; 4]>,
+}
+
+impl Defined {
+    fn new(request: &Request) -> Self {
+        let scene = snap(request).unwrap();
+        let regions = scene.between.iter().map(|t| region(t, &scene.samples, &scene.receivers)).collect();
+        Defined { scene, regions }
     }
-    if scene.mirrored[1] {
-        row = side - 1 - row;
+
+    /// The set of a texel, by the definition alone.
+    fn set(&self, texel: u32) -> Vec<u32> {
+        let Snapped { samples, receivers, mirrored, .. } = &self.scene;
+        let side = receivers.columns;
+        let turned = |at: u32, mirrored: bool| if mirrored { side - 1 - at } else { at };
+        let (column, row) = (turned(texel % side, mirrored[0]), turned(texel / side, mirrored[1]));
+        let near =
+            |[x0, x1, y0, y1]: [i32; 4]| (x0..=x1).contains(&(column as i32)) && (y0..=y1).contains(&(row as i32));
+        let between = self.scene.between.iter().zip(&self.regions).filter(|(_, region)| near(**region)).map(|(t, _)| t);
+        hidden_set(receivers.at(row * side + column), samples, between.chain(&self.scene.crossing))
     }
-    let near = |t: &&Triangle| {
-        let [x0, x1, y0, y1] = region(t, &scene.samples, &scene.receivers);
-        (x0..=x1).contains(&(column as i32)) && (y0..=y1).contains(&(row as i32))
-    };
-    let triangles = scene.between.iter().filter(near).chain(&scene.crossing);
-    hidden_set(scene.receivers.at(row * side + column), &scene.samples, triangles)
+
+    /// Triangles and the receivers in their regions.
+    fn pairs(&self) -> u64 {
+        let side = |first: i32, last: i32| (i64::from(last) - i64::from(first) + 1).max(0) as u64;
+        let crossing = u64::from(self.scene.receivers.count()) * self.scene.crossing.len() as u64;
+        self.regions.iter().map(|[x0, x1, y0, y1]| side(*x0, *x1) * side(*y0, *y1)).sum::<u64>() + crossing
+    }
 }
 
 fn set(baked: &Bake, texel: u32) -> &[u32] {
-    &baked.masks[(texel * baked.words) as usize..][..baked.words as usize]
+    let words = baked.sets.words;
+    &baked.sets.masks[(texel * words) as usize..][..words as usize]
 }
 
 /// A tilted slab in the air, a post that stands through the floor, and a sliver.
@@ -56,34 +74,64 @@ fn small() -> Vec<[[f64; 3]; 3]> {
 fn small_scenes_equal_the_definition_whole() {
     for (samples, side) in [(32, 0.4), (64, 1.3), (256, 0.4), (1024, 0.4)] {
         let request = request(small(), 24, samples, side);
-        let scene = snap(&request).unwrap();
-        assert_eq!((scene.between.len(), scene.crossing.len()), (3, 2));
+        let defined = Defined::new(&request);
+        assert_eq!((defined.scene.between.len(), defined.scene.crossing.len()), (3, 2));
         let baked = bake(&machine(), &request, &mut |_| ()).unwrap();
         let mut partly = 0;
         for texel in 0..24 * 24 {
-            let want = defined(&scene, 24, texel);
+            let want = defined.set(texel);
             assert_eq!(set(&baked, texel), want, "texel {texel} under {samples} samples");
             let hidden: u32 = want.iter().map(|w| w.count_ones()).sum();
+            assert_eq!(baked.visible[texel as usize], samples - hidden, "texel {texel} under {samples} samples");
             partly += u32::from((1..samples).contains(&hidden));
         }
         assert!(partly > 20, "the penumbra has only {partly} texels");
     }
 }
 
+/// The palms as the program bakes them where nothing is asked for: 512² texels, 1024 samples, light size 0.4.
 #[test]
 fn the_palms_equal_the_definition_on_their_penumbra() {
-    let side = 128;
-    let palms = generate(Generator::Palms).triangles();
-    let scaled = palms.iter().map(|t| t.map(|p| p.map(|c| c / 6.9))).collect();
-    let request = request(scaled, side, 1024, 0.4);
-    let scene = snap(&request).unwrap();
+    let request = Setup::new(generate(Generator::Palms), &Settings::default()).unwrap().request();
+    assert_eq!((request.resolution, request.samples), (512, 1024));
+    let defined = Defined::new(&request);
     let baked = bake(&machine(), &request, &mut |_| ()).unwrap();
-    let visible = baked.visible();
-    let penumbra = |texel: &u32| (1..1024).contains(&visible[*texel as usize]);
-    let looks: Vec<u32> = (0..).map(|i| random::below(side * side, 23, i)).filter(penumbra).take(64).collect();
-    for texel in looks {
-        assert_eq!(set(&baked, texel), defined(&scene, side, texel), "texel {texel}");
+    let partly = |texel: &u32| (1..1024).contains(&baked.visible[*texel as usize]);
+    let looks: Vec<u32> = (0..).map(|i| random::below(512 * 512, 23, i)).filter(partly).take(256).collect();
+    let all: Vec<u32> = looks.iter().copied().chain((0..64).map(|i| random::below(512 * 512, 24, i))).collect();
+    for texel in all {
+        let want = defined.set(texel);
+        assert_eq!(set(&baked, texel), want, "texel {texel}");
+        let hidden: u32 = want.iter().map(|word| word.count_ones()).sum();
+        assert_eq!(baked.visible[texel as usize], 1024 - hidden, "texel {texel}");
     }
+}
+
+#[test]
+fn work_is_counted_and_does_not_depend_on_threads() {
+    let request = request(small(), 24, 64, 0.4);
+    let work = |threads, count| {
+        let machine = CpuBackend::new(Config { threads, count, ..Config::default() });
+        bake(&machine, &request, &mut |_| ()).unwrap().work
+    };
+    let one = work(1, true);
+    assert_eq!(one.pairs, Defined::new(&request).pairs());
+    assert_eq!(one.pairs, 1599);
+    let counts = one.counts.unwrap();
+    assert!(counts.atomics > 0 && counts.loads > counts.stores && one.lane_ops.unwrap() > counts.loads);
+    assert_eq!(work(2, true), one);
+    assert_eq!(work(2, false), Work { counts: None, ..one });
+}
+
+#[test]
+fn work_adds_up_and_what_is_not_counted_stays_so() {
+    let part = Work { pairs: 3, lane_ops: Some(40), counts: None };
+    let mut sum = Work::default();
+    sum += part;
+    sum += part;
+    assert_eq!(sum, Work { pairs: 6, lane_ops: Some(80), counts: None });
+    sum += Work { lane_ops: None, ..part };
+    assert_eq!(sum, Work { pairs: 9, lane_ops: None, counts: None });
 }
 
 #[test]

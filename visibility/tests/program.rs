@@ -5,6 +5,7 @@ use std::process::{Command, Output};
 
 use sightlines_visibility::image::Share;
 use sightlines_visibility::sets;
+use sightlines_visibility::shadows::Sets;
 
 struct Folder(tempfile::TempDir);
 
@@ -111,6 +112,13 @@ fn help_states_the_exit_codes_and_the_scene_file() {
     }
 }
 
+/// The visible share of a file of sets, counted bit by bit.
+fn share(sets: &Sets) -> Share {
+    let hidden = |set: &[u32]| set.iter().map(|word| word.count_ones()).sum::<u32>();
+    let visible = sets.masks.chunks(sets.words as usize).map(|set| sets.samples - hidden(set)).collect();
+    Share { resolution: sets.resolution, samples: sets.samples, visible }
+}
+
 /// Width and greys of a PNG of 8 bits.
 fn greys(path: &Path) -> (u32, Vec<u8>) {
     let file = std::io::BufReader::new(std::fs::File::open(path).unwrap());
@@ -145,13 +153,32 @@ fn a_shadow_is_baked_written_and_reported() {
     let (side, image) = greys(&folder.0.path().join("a.png"));
     assert_eq!(side, 64);
     assert_eq!((image[0], image[32 * 64 + 32]), (255, 0), "light in the corner, umbra in the middle");
-    let bake = sets::read(&folder.0.path().join("a.sets")).unwrap();
-    assert_eq!((bake.resolution, bake.samples), (64, 64));
-    let share = Share::of(&bake);
+    let baked = sets::read(&folder.0.path().join("a.sets")).unwrap();
+    assert_eq!((baked.resolution, baked.samples), (64, 64));
+    let share = share(&baked);
     let mean = format!("{:.6} of the light in the mean", share.mean());
     assert_eq!(line(&report, "visible "), mean);
     let expected: Vec<u8> = share.visible.iter().map(|n| ((n * 255 + 32) / 64) as u8).collect();
     assert_eq!(image, expected);
+}
+
+#[test]
+fn work_is_reported_when_asked_for() {
+    let folder = Folder::new();
+    let report = |options: &str| {
+        let line = format!("shadows --scene box --backend cpu --resolution 64 --samples 64 -o a.png {options}");
+        let report = String::from_utf8(folder.run(&line).stdout).unwrap();
+        report.lines().filter(|line| !line.starts_with("time ")).map(|line| format!("{line}\n")).collect::<String>()
+    };
+    let counted = report("--threads 1 --counts");
+    assert_eq!(line(&counted, "pairs "), "4880 of a triangle and a receiver in its region, 1.2 a receiver");
+    for (key, unit) in [("lane-ops ", " a pair"), ("work ", " barriers"), ("memory ", " bytes")] {
+        let line = line(&counted, key);
+        let first: u64 = line.split([' ', ',']).next().unwrap().parse().unwrap();
+        assert!(first > 1000 && line.ends_with(unit), "{line}");
+    }
+    assert_eq!(report("--threads 1 --counts"), counted, "the same work twice");
+    assert!(!report("--threads 1").contains("pairs "));
 }
 
 #[test]
@@ -160,7 +187,7 @@ fn the_shadow_of_a_cube_is_where_geometry_puts_it() {
     let output = folder.run("shadows --scene box --backend cpu --resolution 64 --samples 1024 --sets a.sets");
     assert!(output.status.success());
     assert_eq!(folder.names(), ["a.sets"], "no picture unless asked for");
-    let share = Share::of(&sets::read(&folder.0.path().join("a.sets")).unwrap());
+    let share = share(&sets::read(&folder.0.path().join("a.sets")).unwrap());
     // R = √3/2. The receiver is 0.02 R under the cube's foot, the light 3 R above it and 0.4 R wide.
     let r = 0.75_f64.sqrt();
     let (low, high, light) = (0.02 * r, 0.02 * r + 1.0, 3.0 * r);
@@ -189,7 +216,7 @@ fn several_lights_give_one_picture_and_a_file_of_sets_each() {
     let output = folder.run("shadows --scene-file a.toml --backend cpu -o a.png --sets b.sets");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     assert_eq!(folder.names(), ["a.obj", "a.png", "a.toml", "b.0.sets", "b.1.sets"]);
-    let read = |name: &str| Share::of(&sets::read(&folder.0.path().join(name)).unwrap());
+    let read = |name: &str| share(&sets::read(&folder.0.path().join(name)).unwrap());
     let (mut sum, other) = (read("b.0.sets"), read("b.1.sets"));
     assert_ne!(sum, other);
     sum.add(&other);

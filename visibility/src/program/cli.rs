@@ -81,6 +81,9 @@ pub(crate) struct ShadowsArgs {
     /// The axis that points up [default: y].
     #[arg(long, value_enum)]
     pub(crate) up: Option<Axis>,
+    /// Report pairs of triangle and receiver, and, on the interpreter, lane-operations and memory accesses.
+    #[arg(long)]
+    pub(crate) counts: bool,
     /// Where the machine is chosen.
     #[command(flatten)]
     pub(crate) machine: MachineArgs,
@@ -188,7 +191,7 @@ mod tests {
         let parse = |line: &str| Cli::try_parse_from(["sightlines"].into_iter().chain(line.split_whitespace()));
         for good in [
             "shadows a.obj -o a.png --exr a.exr --sets a.sets --light-size 1 --resolution 64 --samples 32 --up z",
-            "shadows --scene palms --backend cpu --threads 2 --bits 16",
+            "shadows --scene palms --backend cpu --threads 2 --bits 16 --counts",
             "shadows --scene-file a.toml --backend wgpu --adapter llvmpipe",
         ] {
             assert!(parse(good).is_ok(), "{good}");

@@ -4,11 +4,11 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use sightlines_backend::BackendInfo;
+use sightlines_backend::{BackendInfo, Counts};
 use sightlines_visibility::error::Place;
 use sightlines_visibility::image::{Share, write_exr, write_png};
 use sightlines_visibility::setup::Setup;
-use sightlines_visibility::shadows::bake;
+use sightlines_visibility::shadows::{Work, bake};
 use sightlines_visibility::{output, scene, sets};
 
 use super::cli::ShadowsArgs;
@@ -75,11 +75,12 @@ pub(crate) fn run(args: &ShadowsArgs, out: &mut dyn Write) -> Result<(), Failure
     let setup = setup(args)?;
     let outputs = Outputs::new(args, setup.lights.len());
     outputs.check(args)?;
-    let backend = machine::open(&args.machine)?;
+    let backend = machine::open(&args.machine, args.counts)?;
     describe(&setup, out)?;
     let mut time = Duration::ZERO;
     let mut request = setup.request();
     let mut total: Option<(Share, f64)> = None;
+    let mut work = Work::default();
     for (number, &light) in setup.lights.iter().enumerate() {
         request.light = light;
         let progress = Progress::new(format!("light {} of {}", number + 1, setup.lights.len()));
@@ -88,15 +89,16 @@ pub(crate) fn run(args: &ShadowsArgs, out: &mut dyn Write) -> Result<(), Failure
         time += start.elapsed();
         drop(progress);
         if let Some(path) = outputs.sets.get(number) {
-            sets::write(path, &baked)?;
+            sets::write(path, &baked.sets)?;
         }
+        work += baked.work;
         let share = Share::of(&baked);
         match &mut total {
             Some((sum, cell)) => {
                 sum.add(&share);
-                *cell = cell.max(baked.cell);
+                *cell = cell.max(baked.sets.cell);
             }
-            None => total = Some((share, baked.cell)),
+            None => total = Some((share, baked.sets.cell)),
         }
     }
     // A setup has a light.
@@ -108,6 +110,9 @@ pub(crate) fn run(args: &ShadowsArgs, out: &mut dyn Write) -> Result<(), Failure
         write_exr(path, &share)?;
     }
     conclude(&backend.info(), &setup, &share, cell, time, out)?;
+    if args.counts {
+        count(&work, &setup, out)?;
+    }
     outputs.paths().try_for_each(|path| writeln!(out, "wrote      {}", path.display()))?;
     Ok(())
 }
@@ -146,6 +151,23 @@ fn conclude(
     writeln!(out, "backend    {}", machine::describe(info))?;
     writeln!(out, "time       {:.3} s", time.as_secs_f64())?;
     Ok(writeln!(out, "visible    {:.6} of the light in the mean", share.mean())?)
+}
+
+/// The work in numbers that do not depend on how fast the machine is.
+fn count(work: &Work, setup: &Setup, out: &mut dyn Write) -> Result<(), Failure> {
+    let receivers = u64::from(setup.resolution).pow(2) * setup.lights.len() as u64;
+    let each = work.pairs as f64 / receivers as f64;
+    writeln!(out, "pairs      {} of a triangle and a receiver in its region, {each:.1} a receiver", work.pairs)?;
+    match work.lane_ops {
+        Some(ops) => writeln!(out, "lane-ops   {ops}, {:.1} a pair", ops as f64 / work.pairs.max(1) as f64)?,
+        None => writeln!(out, "lane-ops   not counted: only the interpreter has them")?,
+    }
+    if let Some(counts) = work.counts {
+        let Counts { invocations, loads, stores, bytes, atomics, barriers } = counts;
+        writeln!(out, "work       {invocations} invocations, {barriers} barriers")?;
+        writeln!(out, "memory     {loads} loads, {stores} stores, {atomics} atomics, {bytes} bytes")?;
+    }
+    Ok(())
 }
 
 /// A number of things.

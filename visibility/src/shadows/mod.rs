@@ -1,14 +1,17 @@
 //! Soft shadows of area lights: for each texel of a receiver, the set of light samples that the scene hides from it.
 //!
-//! A [`Request`] is geometry and numbers, nothing of files or defaults; a [`Bake`] is the answer, exact on the quantised
-//! scene. Bit `i % 32` of word `i / 32` of a texel is set iff sample `i` is hidden from it.
+//! A [`Request`] is geometry and numbers, nothing of files or defaults; a [`Bake`] is the answer, its [`Sets`] exact on the
+//! quantised scene. Bit `i % 32` of word `i / 32` of a texel is set iff sample `i` is hidden from it.
 
 mod compose;
 pub mod snap;
 
-use sightlines_backend::Backend;
+use std::ops::AddAssign;
+
+use sightlines_backend::{Backend, Counts};
 
 use crate::error::Result;
+use compose::Composed;
 
 /// Numbers of light samples that can be baked.
 pub const SAMPLES: [u32; 6] = [32, 64, 128, 256, 512, 1024];
@@ -47,7 +50,7 @@ pub struct Request {
 
 /// The hidden-sample sets of a receiver.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Bake {
+pub struct Sets {
     /// Texels a side.
     pub resolution: u32,
     /// Samples of the light.
@@ -62,11 +65,45 @@ pub struct Bake {
     pub cell: f64,
 }
 
-impl Bake {
-    /// Samples that each texel sees, row after row.
-    pub fn visible(&self) -> Vec<u32> {
-        let hidden = |set: &[u32]| set.iter().map(|word| word.count_ones()).sum::<u32>();
-        self.masks.chunks(self.words.max(1) as usize).map(|set| self.samples - hidden(set)).collect()
+/// What a light leaves of a receiver: the sets, their sizes, and the work that they took.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bake {
+    /// Which samples are hidden from each texel.
+    pub sets: Sets,
+    /// Samples that each texel sees, row after row, as the device counts them.
+    pub visible: Vec<u32>,
+    /// What it took.
+    pub work: Work,
+}
+
+/// The work of a bake.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Work {
+    /// Pairs of a triangle and a receiver in its influence region; a triangle that crosses the receivers' plane is paired
+    /// with all of them. The same on every machine.
+    pub pairs: u64,
+    /// Lane-operations ([`Session::lane_ops`](sightlines_backend::Session::lane_ops)), from the interpreter.
+    pub lane_ops: Option<u64>,
+    /// Semantic costs of all kernels, from machines that are told to count them.
+    pub counts: Option<Counts>,
+}
+
+impl Default for Work {
+    /// No work, all of it counted.
+    fn default() -> Self {
+        Work { pairs: 0, lane_ops: Some(0), counts: Some(Counts::default()) }
+    }
+}
+
+impl AddAssign for Work {
+    /// What one of the two did not count stays uncounted.
+    fn add_assign(&mut self, more: Work) {
+        self.pairs += more.pairs;
+        self.lane_ops = self.lane_ops.zip(more.lane_ops).map(|(sum, more)| sum + more);
+        self.counts = self.counts.zip(more.counts).map(|(mut sum, more)| {
+            sum += more;
+            sum
+        });
     }
 }
 
@@ -77,11 +114,13 @@ impl Bake {
 /// A request whose geometry does not fit the grid ([`snap::snap`] lists why), and whatever the backend refuses.
 pub fn bake(backend: &dyn Backend, request: &Request, progress: &mut dyn FnMut(f32)) -> Result<Bake> {
     let scene = snap::snap(request)?;
-    let sets = compose::sets(backend, &scene, progress)?;
+    let Composed { masks, visible, work } = compose::bake(backend, &scene, progress)?;
     let (words, resolution) = (scene.samples.words(), request.resolution);
     let samples_uv = (0..request.samples).map(|sample| scene.samples.at(sample)).map(|[x, y, _]| [x, y]).collect();
-    let masks = upright(sets, words as usize, resolution as usize, scene.mirrored);
-    Ok(Bake { resolution, samples: request.samples, words, masks, samples_uv, cell: scene.cell })
+    let upright = |words, planes| upright(planes, words as usize, resolution as usize, scene.mirrored);
+    let masks = upright(words, masks);
+    let sets = Sets { resolution, samples: request.samples, words, masks, samples_uv, cell: scene.cell };
+    Ok(Bake { sets, visible: upright(1, visible), work })
 }
 
 /// The sets in the order of the image, whose columns and rows may run against the grid's axes.

@@ -2,28 +2,24 @@
 
 use exr::prelude::{ReadChannels, ReadLayers};
 use sightlines_visibility::image::{Depth, Share, write_exr, write_png};
-use sightlines_visibility::shadows::Bake;
+use sightlines_visibility::shadows::{Bake, Sets, Work};
 use sightlines_visibility::{Error, sets};
 
 use super::{Folder, refusal};
 
-/// A bake with a known pattern.
-fn bake() -> Bake {
+/// Sets with a known pattern.
+fn known() -> Sets {
     let (resolution, samples, words) = (3, 64, 2);
     let masks = (0..18_u32).map(|i| i.wrapping_mul(0x9E37_79B9) >> (i % 7)).collect();
     let samples_uv = (0..64).map(|i| [i % 8 - 4, i / 8 - 4]).collect();
-    Bake { resolution, samples, words, masks, samples_uv, cell: 0.125 }
+    Sets { resolution, samples, words, masks, samples_uv, cell: 0.125 }
 }
 
 #[test]
-fn the_visible_share_counts_what_is_not_hidden() {
-    let mut bake = bake();
-    bake.masks = vec![0; 18];
-    bake.masks[2] = u32::MAX;
-    bake.masks[3] = 1 << 31;
-    bake.masks[16..].fill(u32::MAX);
-    let share = Share::of(&bake);
-    assert_eq!(share.visible, [64, 31, 64, 64, 64, 64, 64, 64, 0]);
+fn the_share_of_a_bake_is_what_the_device_counted() {
+    let visible = vec![64, 31, 64, 64, 64, 64, 64, 64, 0];
+    let share = Share::of(&Bake { sets: known(), visible: visible.clone(), work: Work::default() });
+    assert_eq!((share.resolution, share.samples, &share.visible), (3, 64, &visible));
     assert_eq!(share.mean(), (7.0 * 64.0 + 31.0) / (9.0 * 64.0));
 }
 
@@ -70,11 +66,11 @@ fn exr_holds_the_exact_share() {
 #[test]
 fn equal_shares_make_equal_files() {
     let folder = Folder::new();
-    let share = Share::of(&bake());
+    let share = Share { resolution: 3, samples: 64, visible: (0..9).map(|i| 7 * i).collect() };
     for name in ["a", "b"] {
         write_png(&folder.path(&format!("{name}.png")), &share, Depth::Eight).unwrap();
         write_exr(&folder.path(&format!("{name}.exr")), &share).unwrap();
-        sets::write(&folder.path(&format!("{name}.sets")), &bake()).unwrap();
+        sets::write(&folder.path(&format!("{name}.sets")), &known()).unwrap();
     }
     let read = |name: &str| std::fs::read(folder.path(name)).unwrap();
     for kind in ["png", "exr", "sets"] {
@@ -86,8 +82,8 @@ fn equal_shares_make_equal_files() {
 fn sets_come_back_and_stand_where_the_documentation_says() {
     let folder = Folder::new();
     let path = folder.path("a.sets");
-    sets::write(&path, &bake()).unwrap();
-    assert_eq!(sets::read(&path).unwrap(), bake());
+    sets::write(&path, &known()).unwrap();
+    assert_eq!(sets::read(&path).unwrap(), known());
     let bytes = std::fs::read(&path).unwrap();
     let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
     assert!(bytes.starts_with(b"sightlines sets\n"));
@@ -96,26 +92,26 @@ fn sets_come_back_and_stand_where_the_documentation_says() {
     assert_eq!(bytes[40..48], 0.125_f64.to_le_bytes());
     assert_eq!((word(48) as i32, word(52) as i32), (-4, -4));
     let masks = 48 + 8 * 64;
-    assert_eq!((0..18).map(|i| word(masks + 4 * i)).collect::<Vec<_>>(), bake().masks);
+    assert_eq!((0..18).map(|i| word(masks + 4 * i)).collect::<Vec<_>>(), known().masks);
     assert_eq!(&bytes[masks + 72..], blake3::hash(&bytes[..masks + 72]).as_bytes());
 }
 
 #[test]
 fn large_sets_come_back() {
     let masks = (0..200 * 200 * 4_u32).map(|i| i.wrapping_mul(0x85EB_CA6B)).collect();
-    let bake =
-        Bake { resolution: 200, samples: 128, words: 4, masks, samples_uv: vec![[i32::MIN, 7]; 128], cell: 1e-3 };
+    let large =
+        Sets { resolution: 200, samples: 128, words: 4, masks, samples_uv: vec![[i32::MIN, 7]; 128], cell: 1e-3 };
     let path = Folder::new();
     let path = path.path("a.sets");
-    sets::write(&path, &bake).unwrap();
-    assert!(sets::read(&path).unwrap() == bake);
+    sets::write(&path, &large).unwrap();
+    assert!(sets::read(&path).unwrap() == large);
 }
 
 #[test]
 fn damaged_sets_are_refused() {
     let folder = Folder::new();
     let path = folder.path("a.sets");
-    sets::write(&path, &bake()).unwrap();
+    sets::write(&path, &known()).unwrap();
     let whole = std::fs::read(&path).unwrap();
     let refused = |bytes: &[u8]| refusal(sets::read(&folder.put("b.sets", bytes)), "b.sets");
     for at in 0..whole.len() {
@@ -146,12 +142,12 @@ fn damaged_sets_are_refused() {
 #[test]
 fn a_target_that_cannot_be_written_is_named() {
     let folder = Folder::new();
-    let share = Share::of(&bake());
+    let share = Share { resolution: 3, samples: 64, visible: (0..9).map(|i| 7 * i).collect() };
     let path = folder.path("none/a");
     for error in [
         write_png(&path, &share, Depth::Eight).unwrap_err(),
         write_exr(&path, &share).unwrap_err(),
-        sets::write(&path, &bake()).unwrap_err(),
+        sets::write(&path, &known()).unwrap_err(),
     ] {
         assert!(matches!(&error, Error::Write { path: named, .. } if *named == path), "{error}");
         assert!(error.to_string().contains("make its folder"), "{error}");
