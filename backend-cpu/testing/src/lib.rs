@@ -2,6 +2,7 @@
 //!
 //! * [`generate`]: random WGSL programs that are valid, end and have no race, from bytes or from a seed.
 //! * [`reference`]: a scalar evaluator of naga IR, written apart from the interpreter, as its oracle.
+//! * [`operators`]: operators and builtin functions as files of run lines.
 //! * [`script`]: programs as files that say what to run and what must come out.
 //! * [`engines`]: the machines that every test runs on.
 //! * [`differential`]: one program on all machines, and what to do with one that differs.
@@ -13,5 +14,6 @@ pub mod differential;
 pub mod engines;
 pub mod fuzz;
 pub mod generate;
+pub mod operators;
 pub mod reference;
 pub mod script;

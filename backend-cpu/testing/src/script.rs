@@ -121,23 +121,31 @@ impl Script {
 
     /// Runs everything on one machine and compares.
     pub fn run(&self, engine: &Engine) -> Result<(), String> {
-        let silent = self.expected.is_empty() && self.trap.is_none() && self.fails.is_none();
+        self.judge(&self.execute(engine.backend.as_ref()), engine.traps)
+    }
+
+    /// Whether a dynamic error is what the file is about: WGSL lets machines answer it in different ways.
+    pub fn errs(&self) -> bool {
+        self.trap.is_some() || self.fails.is_some()
+    }
+
+    /// Compares what a run left, or how it failed, with what the file says. `traps` tells that the machine stops at an
+    /// access out of bounds.
+    pub fn judge(&self, result: &Result<Outcome, String>, traps: bool) -> Result<(), String> {
+        let silent = self.expected.is_empty() && !self.errs();
         if silent || self.dispatches.is_empty() {
             return Err(format!("{}: runs or expects nothing", self.path));
         }
-        let result = self.execute(engine.backend.as_ref());
         if let Some(wanted) = &self.fails {
             return refusal(result, wanted);
         }
-        if engine.traps
-            && let Some((line, message)) = &self.trap
-        {
+        if let Some((line, message)) = self.trap.as_ref().filter(|_| traps) {
             let place = format!("{}:{line}:", self.path);
-            return refusal(result, message).and(refusal(self.execute(engine.backend.as_ref()), &place));
+            return refusal(result, message).and(refusal(result, &place));
         }
-        let (outputs, counts) = result?;
+        let (outputs, counts) = result.as_ref()?;
         if let (Some(expected), Some(got)) = (self.counts, counts)
-            && expected != got
+            && expected != *got
         {
             return Err(format!("{}: counts differ: expected {expected:?}, got {got:?}", self.path));
         }
@@ -152,7 +160,12 @@ impl Script {
     pub fn execute(&self, backend: &dyn Backend) -> Result<Outcome, String> {
         let job = self.job()?;
         let (outputs, counts) = run_job(&job, backend).map_err(|e| e.to_string())?;
-        Ok((self.buffers.keys().copied().zip(outputs.iter().map(|bytes| to_words(bytes))).collect(), counts))
+        Ok((self.words(&outputs), counts))
+    }
+
+    /// The outputs of [`Script::job`] by binding.
+    pub fn words(&self, outputs: &Outputs) -> Buffers {
+        self.buffers.keys().copied().zip(outputs.iter().map(|bytes| to_words(bytes))).collect()
     }
 
     /// The work as a checked job, which reads every buffer.
@@ -198,7 +211,7 @@ fn to_words(bytes: &[u8]) -> Vec<u32> {
     bytes.as_chunks().0.iter().map(|bytes| u32::from_le_bytes(*bytes)).collect()
 }
 
-fn refusal(result: Result<Outcome, String>, wanted: &str) -> Result<(), String> {
+fn refusal(result: &Result<Outcome, String>, wanted: &str) -> Result<(), String> {
     match result {
         Ok(_) => Err(format!("ran, but must fail with `{wanted}`")),
         Err(message) if message.contains(wanted) => Ok(()),

@@ -1,20 +1,24 @@
-//! Reads and runs the files of `tests/ops`.
+//! Operators as files: those of `backend-cpu/tests/ops` are read, made jobs, and what comes back is judged, for every
+//! machine that runs them.
+//!
+//! A file is one program, and several functions share an entry point, because devices compile slowly: workgroups with
+//! `y = n` run its n-th function. Machines that merge workgroups do so along x, so operands that are loaded uniformly
+//! stay uniform.
 
-mod coverage;
 mod literal;
 mod shader;
 
 use std::path::Path;
 
 use naga::{Handle, Module, Scalar, ScalarKind, Type, TypeInner};
-use sightlines_backend::{Backend, Job, Linked, Program};
+use sightlines_backend::{Job, Linked, Program};
 
-pub(crate) use coverage::coverage;
-use literal::{Expected, literal, split};
+pub use literal::Expected;
+use literal::{literal, split};
 
 /// How the operands of a run line reach the function.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Mode {
+pub enum Mode {
     /// As literals: what the interpreter folds.
     Constant,
     /// Loaded from a constant index: the same in all invocations.
@@ -24,49 +28,84 @@ pub(crate) enum Mode {
 }
 
 impl Mode {
-    pub(crate) const ALL: [Mode; 3] = [Mode::Constant, Mode::Uniform, Mode::Varying];
+    /// All of them.
+    pub const ALL: [Mode; 3] = [Mode::Constant, Mode::Uniform, Mode::Varying];
+
+    /// The name that tests use.
+    pub fn name(self) -> &'static str {
+        match self {
+            Mode::Constant => "constant",
+            Mode::Uniform => "uniform",
+            Mode::Varying => "varying",
+        }
+    }
 }
 
 /// The WGSL type of a parameter or result, as its scalars.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Signature {
+pub struct Signature {
+    /// Type of a scalar.
     pub scalar: Scalar,
     /// Columns and rows; 1 and n for a vector, 1 and 1 for a scalar.
     pub columns: usize,
+    /// See `columns`.
     pub rows: usize,
 }
 
 impl Signature {
-    pub(crate) fn words(&self) -> usize {
+    /// Number of scalars.
+    pub fn words(&self) -> usize {
         self.columns * self.rows
     }
 }
 
 /// One function under test.
-pub(crate) struct Tested {
+pub struct Tested {
+    /// Its name.
     pub name: String,
+    /// Types of its parameters.
     pub parameters: Vec<Signature>,
+    /// Type of its result.
     pub result: Signature,
+    /// Its run lines.
     pub runs: Vec<Run>,
 }
 
+impl Tested {
+    fn result_words(&self) -> usize {
+        self.result.words() * self.runs.len()
+    }
+}
+
 /// One run line.
-pub(crate) struct Run {
+pub struct Run {
+    /// Where it stands in the file.
     pub line: usize,
     /// The words of all operands.
     pub operands: Vec<u32>,
+    /// What each word of the result must be.
     pub expected: Vec<Expected>,
 }
 
-pub(crate) struct File {
+impl Run {
+    /// Whether the words are the expected ones, bit for bit.
+    pub fn is_met_by(&self, words: &[u32]) -> bool {
+        self.expected.iter().zip(words).all(|(expected, &word)| expected.accepts(word))
+    }
+}
+
+/// One file.
+pub struct File {
     path: String,
     text: String,
     module: Module,
-    tested: Vec<Tested>,
+    /// Its functions.
+    pub tested: Vec<Tested>,
 }
 
 impl File {
-    pub(crate) fn read(path: &Path) -> Result<Self, String> {
+    /// Reads a file. A function without a run line is an error.
+    pub fn read(path: &Path) -> Result<Self, String> {
         let text = std::fs::read_to_string(path).map_err(|e| format!("{}: {e}", path.display()))?;
         let path = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let module = naga::front::wgsl::parse_str(&text).map_err(|e| e.emit_to_string_with_path(&text, &path))?;
@@ -90,32 +129,47 @@ impl File {
         }
     }
 
-    /// Runs every line and reports those whose result differs.
-    pub(crate) fn run(&self, mode: Mode, backend: &dyn Backend) -> Result<(), String> {
+    /// The work: all run lines, and the words of all results as its one output.
+    pub fn job(&self, mode: Mode) -> Result<Job, String> {
         let text = format!("{}{}", self.text, shader::entries(&self.tested, mode));
         let linked = Linked::single(&self.path, &text).map_err(|e| e.to_string())?;
         let program = Program::unlinted(&self.path, linked).map_err(|e| e.to_string())?;
         let mut job = Job::new();
         let id = job.program(&program);
-        for tested in &self.tested {
-            let operands: Vec<u32> = tested.runs.iter().flat_map(|r| r.operands.clone()).collect();
-            let operands = job.upload("operands", if operands.is_empty() { &[0] } else { &operands });
-            let results = job.buffer("results", (4 * tested.result.words() * tested.runs.len()) as u64);
-            let groups = if mode == Mode::Varying { tested.runs.len().div_ceil(shader::WIDTH) as u32 } else { 1 };
-            let bind: &[_] = if mode == Mode::Constant { &[(1, results)] } else { &[(0, operands), (1, results)] };
-            job.dispatch(id, &format!("test_{}", tested.name), bind, [groups, 1, 1]);
-            job.read(&tested.name, results);
+        let operands: Vec<u32> =
+            self.tested.iter().flat_map(|t| &t.runs).flat_map(|r| r.operands.iter().copied()).collect();
+        let operands = job.upload("operands", &operands);
+        let words: usize = self.tested.iter().map(Tested::result_words).sum();
+        let results = job.buffer("results", 4 * words as u64);
+        let bind: &[_] = if mode == Mode::Constant { &[(1, results)] } else { &[(0, operands), (1, results)] };
+        for (n, chunk) in self.tested.chunks(shader::FUNCTIONS).enumerate() {
+            let most = chunk.iter().map(|t| t.runs.len()).max().unwrap_or(0);
+            let groups = if mode == Mode::Varying { most.div_ceil(shader::WIDTH) } else { 1 };
+            job.dispatch(id, &shader::entry_name(n), bind, [groups as u32, chunk.len() as u32, 1]);
         }
-        let outputs = backend.run(&job).map_err(|e| e.to_string())?;
-        let wrong: Vec<String> =
-            self.tested.iter().zip(&outputs).flat_map(|(t, bytes)| self.compare(t, bytes)).collect();
-        if wrong.is_empty() { Ok(()) } else { Err(wrong.join("\n")) }
+        job.read("results", results);
+        Ok(job)
     }
 
-    fn compare(&self, tested: &Tested, bytes: &[u8]) -> Vec<String> {
-        let words: Vec<u32> = bytes.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
+    /// For each function, the run lines whose result `accepts` refuses.
+    pub fn judge(
+        &self,
+        results: &[u8],
+        accepts: impl Fn(&Tested, &Run, &[u32]) -> bool,
+    ) -> Vec<(&Tested, Vec<String>)> {
+        let words: Vec<u32> = results.as_chunks().0.iter().map(|word| u32::from_le_bytes(*word)).collect();
+        let mut rest = words.as_slice();
+        let judge = |tested| {
+            let (own, after) = rest.split_at(Tested::result_words(tested));
+            rest = after;
+            (tested, self.refused(tested, own, &accepts))
+        };
+        self.tested.iter().map(judge).collect()
+    }
+
+    fn refused(&self, tested: &Tested, words: &[u32], accepts: &impl Fn(&Tested, &Run, &[u32]) -> bool) -> Vec<String> {
         let runs = tested.runs.iter().zip(words.chunks_exact(tested.result.words()));
-        let wrong = runs.filter(|(run, got)| !run.expected.iter().zip(*got).all(|(e, &g)| e.accepts(g)));
+        let wrong = runs.filter(|(run, got)| !accepts(tested, run, got));
         let shown = |(run, got): (&Run, &[u32])| {
             let hex = |words: &[u32]| words.iter().map(|w| format!("{w:#010x}")).collect::<Vec<_>>().join(" ");
             let expected = run.expected.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
@@ -125,7 +179,8 @@ impl File {
         wrong.map(shown).collect()
     }
 
-    fn module(&self) -> &Module {
+    /// The module of the functions alone.
+    pub fn module(&self) -> &Module {
         &self.module
     }
 }
@@ -161,7 +216,8 @@ fn parse_run(run: &str, line: usize, tested: &mut [Tested]) -> Result<(), String
     Ok(())
 }
 
-fn kind_name(kind: ScalarKind) -> &'static str {
+/// A scalar's type as WGSL writes it.
+pub fn kind_name(kind: ScalarKind) -> &'static str {
     match kind {
         ScalarKind::Sint => "i32",
         ScalarKind::Uint => "u32",

@@ -9,21 +9,24 @@ use super::Signature;
 
 /// What a result word must be.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Expected {
+pub enum Expected {
+    /// These bits.
     Word(u32),
     /// Any NaN.
     Nan,
 }
 
 impl Expected {
-    pub(crate) fn accepts(self, word: u32) -> bool {
+    /// Whether a word is that.
+    pub fn accepts(self, word: u32) -> bool {
         match self {
             Expected::Word(expected) => expected == word,
             Expected::Nan => f32::from_bits(word).is_nan(),
         }
     }
 
-    pub(crate) fn word(self) -> Option<u32> {
+    /// The bits, where they are certain.
+    pub fn word(self) -> Option<u32> {
         if let Expected::Word(word) = self { Some(word) } else { None }
     }
 }

@@ -7,7 +7,7 @@ use naga::proc::TypeResolution;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga::{Expression, ScalarKind, TypeInner};
 
-use super::{File, kind_name};
+use sightlines_testing::operators::{File, kind_name};
 
 /// Every operation of WGSL on bool, i32, u32 and f32, with the operand types it must be tested on.
 const WANTED: &[(&str, &[&str])] = &[
@@ -55,7 +55,7 @@ fn collect(file: &File, reached: &mut BTreeSet<String>) -> Result<(), String> {
     let module = file.module();
     let info = Validator::new(ValidationFlags::all(), Capabilities::SHADER_FLOAT16_IN_FLOAT32)
         .validate(module)
-        .map_err(|e| e.emit_to_string(&file.text))?;
+        .map_err(|e| e.as_inner().to_string())?;
     for (handle, function) in module.functions.iter() {
         let info = &info[handle];
         for (_, expression) in function.expressions.iter() {
