@@ -142,6 +142,85 @@ pub enum TernOp {
     Fma,
 }
 
+operations! {
+    /// Comparisons that control flow makes itself. Integers need no negated forms: `!(a < b)` is `b <= a`.
+    Compare {
+        Eq,
+        Ne,
+        LtU,
+        LeU,
+        LtI,
+        LeI,
+        EqF,
+        NeF,
+        LtF,
+        LeF,
+        /// Not less, or not ordered.
+        NotLtF,
+        /// Not less or equal, or not ordered.
+        NotLeF,
+    }
+}
+
+impl BinOp {
+    /// The comparison whose truth this operation computes.
+    pub(crate) fn comparison(self) -> Option<Compare> {
+        Some(match self {
+            BinOp::Eq => Compare::Eq,
+            BinOp::Ne => Compare::Ne,
+            BinOp::LtU => Compare::LtU,
+            BinOp::LeU => Compare::LeU,
+            BinOp::LtI => Compare::LtI,
+            BinOp::LeI => Compare::LeI,
+            BinOp::EqF => Compare::EqF,
+            BinOp::NeF => Compare::NeF,
+            BinOp::LtF => Compare::LtF,
+            BinOp::LeF => Compare::LeF,
+            _ => return None,
+        })
+    }
+}
+
+/// A condition of control flow: passed where `a op b` holds.
+#[derive(Clone, Copy, PartialEq, Eq)]
+#[allow(missing_docs, reason = "operands are named by their role")]
+pub struct Test<R = Reg> {
+    pub op: Compare,
+    pub a: R,
+    pub b: R,
+}
+
+impl<R: Copy> Test<R> {
+    /// Passed where this test fails.
+    pub(crate) fn negated(self) -> Self {
+        let Test { op, a, b } = self;
+        match op {
+            Compare::Eq => Test { op: Compare::Ne, a, b },
+            Compare::Ne => Test { op: Compare::Eq, a, b },
+            Compare::LtU => Test { op: Compare::LeU, a: b, b: a },
+            Compare::LeU => Test { op: Compare::LtU, a: b, b: a },
+            Compare::LtI => Test { op: Compare::LeI, a: b, b: a },
+            Compare::LeI => Test { op: Compare::LtI, a: b, b: a },
+            Compare::EqF => Test { op: Compare::NeF, a, b },
+            Compare::NeF => Test { op: Compare::EqF, a, b },
+            Compare::LtF => Test { op: Compare::NotLtF, a, b },
+            Compare::LeF => Test { op: Compare::NotLeF, a, b },
+            Compare::NotLtF => Test { op: Compare::LtF, a, b },
+            Compare::NotLeF => Test { op: Compare::LeF, a, b },
+        }
+    }
+
+    fn map<Q>(self, f: &mut impl FnMut(R, bool) -> Q) -> Test<Q> {
+        Test { op: self.op, a: f(self.a, false), b: f(self.b, false) }
+    }
+}
+
+impl<R: fmt::Debug> fmt::Debug for Test<R> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:?}({:?}, {:?})", self.op, self.a, self.b)
+    }
+}
+
 /// Read-modify-write operations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs, reason = "named as the WGSL builtins they are")]
@@ -274,25 +353,40 @@ pub enum Inst<R = Reg> {
     Jump {
         to: Target,
     },
-    /// Scalar condition.
+    /// A jump where a test on scalars passes.
     JumpIf {
-        cond: R,
-        is: bool,
+        test: Test<R>,
         to: Target,
     },
-    /// `slot = exec; exec &= cond`, and a jump when no lane is left.
+    /// A back-edge: fuel, then a jump.
+    Back {
+        to: Target,
+        site: u32,
+    },
+    /// A back-edge that is taken where a test on scalars passes.
+    BackIf {
+        test: Test<R>,
+        to: Target,
+        site: u32,
+    },
+    /// Lanes that fail wait in `slot`: `slot = exec; exec &= test`. When none passes: a jump, and `exec` stays.
     If {
-        cond: R,
+        test: Test<R>,
         slot: Slot,
         to: Target,
     },
-    /// `exec = slot & !cond`, and a jump when no lane is left.
+    /// As [`Inst::If`], with the lanes that fail in `slot + 1` as well. When none passes, they go on at `to`.
+    Split {
+        test: Test<R>,
+        slot: Slot,
+        to: Target,
+    },
+    /// `exec = slot + 1`, and a jump when that is empty.
     Else {
-        cond: R,
         slot: Slot,
         to: Target,
     },
-    /// `exec = slot`, and a jump when no lane is left.
+    /// `exec = slot`, and a jump when that is empty.
     Restore {
         slot: Slot,
         to: Target,
@@ -301,23 +395,21 @@ pub enum Inst<R = Reg> {
     Save {
         slot: Slot,
     },
-    /// `slot &= !exec`.
-    Drop {
-        slot: Slot,
-    },
-    /// No lane is active any more: `exec = 0`, then a jump.
+    /// All active lanes leave: slots from `from` on lose them, `exec = 0`, then a jump.
     Leave {
+        from: Slot,
         to: Target,
     },
-    /// Lanes whose `cond` is `is` leave the loop: `live` and `exec` lose them; a jump when no lane is left.
+    /// Lanes that pass leave: slots from `from` on and `exec` lose them; a jump when no lane is left.
     Exit {
-        cond: R,
-        is: bool,
-        live: Slot,
+        test: Test<R>,
+        from: Slot,
         to: Target,
     },
-    /// A back-edge: fuel, then a jump.
-    Back {
+    /// A back-edge of the lanes that pass; those that fail leave: slots from `from` on and `exec` lose them.
+    Again {
+        test: Test<R>,
+        from: Slot,
         to: Target,
         site: u32,
     },
@@ -392,18 +484,20 @@ impl<R: Copy> Inst<R> {
                 Inst::Store { mem, addr: f(addr, false), value: f(value, false), offset, site }
             }
             Inst::Atomic { index } => Inst::Atomic { index },
-            Inst::JumpIf { cond, is, to } => Inst::JumpIf { cond: f(cond, false), is, to },
-            Inst::If { cond, slot, to } => Inst::If { cond: f(cond, false), slot, to },
-            Inst::Else { cond, slot, to } => Inst::Else { cond: f(cond, false), slot, to },
-            Inst::Exit { cond, is, live, to } => Inst::Exit { cond: f(cond, false), is, live, to },
+            Inst::JumpIf { test, to } => Inst::JumpIf { test: test.map(f), to },
+            Inst::BackIf { test, to, site } => Inst::BackIf { test: test.map(f), to, site },
+            Inst::If { test, slot, to } => Inst::If { test: test.map(f), slot, to },
+            Inst::Split { test, slot, to } => Inst::Split { test: test.map(f), slot, to },
+            Inst::Exit { test, from, to } => Inst::Exit { test: test.map(f), from, to },
+            Inst::Again { test, from, to, site } => Inst::Again { test: test.map(f), from, to, site },
+            Inst::Else { slot, to } => Inst::Else { slot, to },
             Inst::Zero { offset, count } => Inst::Zero { offset, count },
             Inst::Barrier { site } => Inst::Barrier { site },
             Inst::Tally { index } => Inst::Tally { index },
             Inst::Jump { to } => Inst::Jump { to },
             Inst::Restore { slot, to } => Inst::Restore { slot, to },
             Inst::Save { slot } => Inst::Save { slot },
-            Inst::Drop { slot } => Inst::Drop { slot },
-            Inst::Leave { to } => Inst::Leave { to },
+            Inst::Leave { from, to } => Inst::Leave { from, to },
             Inst::Back { to, site } => Inst::Back { to, site },
             Inst::End => Inst::End,
         }
@@ -414,12 +508,15 @@ impl<R: Copy> Inst<R> {
         match self {
             Inst::Jump { to }
             | Inst::JumpIf { to, .. }
+            | Inst::Back { to, .. }
+            | Inst::BackIf { to, .. }
             | Inst::If { to, .. }
+            | Inst::Split { to, .. }
             | Inst::Else { to, .. }
             | Inst::Restore { to, .. }
-            | Inst::Leave { to }
+            | Inst::Leave { to, .. }
             | Inst::Exit { to, .. }
-            | Inst::Back { to, .. } => Some(to),
+            | Inst::Again { to, .. } => Some(to),
             _ => None,
         }
     }

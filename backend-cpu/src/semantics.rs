@@ -4,7 +4,9 @@
 //! All operations are total. Arithmetic of f32 is IEEE 754 binary32, round to nearest even, subnormals kept, never fused
 //! unless the text says `fma`; what IEEE does not fix is pinned in [`crate::math`].
 
-use crate::code::{AtomicOp, BinOp, TernOp, UnOp};
+use std::cmp::Ordering;
+
+use crate::code::{AtomicOp, BinOp, Compare, TernOp, UnOp};
 use crate::math;
 
 fn truth(condition: bool) -> u32 {
@@ -105,12 +107,12 @@ pub(crate) fn binary(op: BinOp, a: u32, b: u32) -> u32 {
         BinOp::MaxU => a.max(b),
         BinOp::MinI => ia.min(ib) as u32,
         BinOp::MaxI => ia.max(ib) as u32,
-        BinOp::Eq => truth(a == b),
-        BinOp::Ne => truth(a != b),
-        BinOp::LtU => truth(a < b),
-        BinOp::LeU => truth(a <= b),
-        BinOp::LtI => truth(ia < ib),
-        BinOp::LeI => truth(ia <= ib),
+        BinOp::Eq => truth(compare(Compare::Eq, a, b)),
+        BinOp::Ne => truth(compare(Compare::Ne, a, b)),
+        BinOp::LtU => truth(compare(Compare::LtU, a, b)),
+        BinOp::LeU => truth(compare(Compare::LeU, a, b)),
+        BinOp::LtI => truth(compare(Compare::LtI, a, b)),
+        BinOp::LeI => truth(compare(Compare::LeI, a, b)),
         BinOp::AddF => (fa + fb).to_bits(),
         BinOp::SubF => (fa - fb).to_bits(),
         BinOp::MulF => (fa * fb).to_bits(),
@@ -118,13 +120,33 @@ pub(crate) fn binary(op: BinOp, a: u32, b: u32) -> u32 {
         BinOp::RemF => math::rem_f32(fa, fb).to_bits(),
         BinOp::MinF => math::min_f32(fa, fb).to_bits(),
         BinOp::MaxF => math::max_f32(fa, fb).to_bits(),
-        BinOp::EqF => truth(fa == fb),
-        BinOp::NeF => truth(fa != fb),
-        BinOp::LtF => truth(fa < fb),
-        BinOp::LeF => truth(fa <= fb),
+        BinOp::EqF => truth(compare(Compare::EqF, a, b)),
+        BinOp::NeF => truth(compare(Compare::NeF, a, b)),
+        BinOp::LtF => truth(compare(Compare::LtF, a, b)),
+        BinOp::LeF => truth(compare(Compare::LeF, a, b)),
         BinOp::Atan2 => math::atan2(fa, fb).to_bits(),
         BinOp::Pow => math::pow(fa, fb).to_bits(),
         BinOp::Ldexp => math::ldexp(fa, ib).to_bits(),
+    }
+}
+
+/// Whether a comparison holds.
+pub(crate) fn compare(op: Compare, a: u32, b: u32) -> bool {
+    let (ia, ib) = (a as i32, b as i32);
+    let (fa, fb) = (f(a), f(b));
+    match op {
+        Compare::Eq => a == b,
+        Compare::Ne => a != b,
+        Compare::LtU => a < b,
+        Compare::LeU => a <= b,
+        Compare::LtI => ia < ib,
+        Compare::LeI => ia <= ib,
+        Compare::EqF => fa == fb,
+        Compare::NeF => fa != fb,
+        Compare::LtF => fa < fb,
+        Compare::LeF => fa <= fb,
+        Compare::NotLtF => fa.partial_cmp(&fb) != Some(Ordering::Less),
+        Compare::NotLeF => !matches!(fa.partial_cmp(&fb), Some(Ordering::Less | Ordering::Equal)),
     }
 }
 

@@ -59,7 +59,7 @@ impl<'a> Rows<'a> {
 }
 
 #[inline(always)]
-fn load<S: Simd>(s: S, cell: &Cell<Chunk>) -> u32x16<S> {
+pub(super) fn load<S: Simd>(s: S, cell: &Cell<Chunk>) -> u32x16<S> {
     u32x16::simd_from(s, cell.get().0)
 }
 
@@ -116,12 +116,12 @@ fn truth<S: Simd>(s: S, mask: mask32x16<S>) -> u32x16<S> {
 }
 
 #[inline(always)]
-fn float<S: Simd>(a: u32x16<S>) -> f32x16<S> {
+pub(super) fn float<S: Simd>(a: u32x16<S>) -> f32x16<S> {
     a.bitcast()
 }
 
 #[inline(always)]
-fn signed<S: Simd>(a: u32x16<S>) -> i32x16<S> {
+pub(super) fn signed<S: Simd>(a: u32x16<S>) -> i32x16<S> {
     a.bitcast()
 }
 
@@ -297,25 +297,6 @@ pub(super) fn blend<S: Simd>(s: S, r: Rows<'_>, exec: &Exec, dst: Reg, a: Reg) {
             }
         },
     );
-}
-
-/// The active lanes whose word in `cond` is true.
-pub(super) fn test<S: Simd>(s: S, r: Rows<'_>, exec: &Exec, cond: Reg) -> Mask {
-    if cond.is_scalar() {
-        return if r.scalar(cond) != 0 { exec.mask } else { Mask::default() };
-    }
-    let mut lanes = Mask::default();
-    s.vectorize(
-        #[inline(always)]
-        || {
-            let zero = s.splat_u32x16(0);
-            for (i, cell) in r.row(cond).iter().enumerate() {
-                let bits = s.to_bitmask_mask32x16(s.simd_ne_u32x16(load(s, cell), zero)) as u16;
-                lanes.set_chunk(exec.low + i, bits);
-            }
-        },
-    );
-    lanes.and(exec.mask)
 }
 
 /// `dst = min(index, length - 1)`; the first active lane whose index is out of range.

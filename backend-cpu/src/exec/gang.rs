@@ -121,17 +121,17 @@ impl Worker {
     }
 }
 
-struct Gang<'a, S, W> {
-    s: S,
+pub(super) struct Gang<'a, S, W> {
+    pub(super) s: S,
     launch: &'a Launch<'a, W>,
     vectors: &'a [Cell<Chunk>],
     scalars: &'a [Cell<u32>],
-    slots: &'a mut [Mask],
+    pub(super) slots: &'a mut [Mask],
     workgroup: &'a [Cell<u32>],
     private: Private<'a>,
     tallies: &'a mut [Tally],
-    exec: Exec,
-    fuel: u64,
+    pub(super) exec: Exec,
+    pub(super) fuel: u64,
     /// Workgroups in this gang.
     count: u32,
     chunk_ops: &'a Cell<u64>,
@@ -139,7 +139,7 @@ struct Gang<'a, S, W> {
 
 impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
     #[inline(always)]
-    fn rows(&self) -> Rows<'_> {
+    pub(super) fn rows(&self) -> Rows<'_> {
         Rows {
             vectors: self.vectors,
             scalars: self.scalars,
@@ -158,7 +158,7 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
     }
 
     #[inline(always)]
-    fn scalar(&self, register: Reg) -> u32 {
+    pub(super) fn scalar(&self, register: Reg) -> u32 {
         self.scalars[register.index()].get()
     }
 
@@ -222,70 +222,35 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
                 }
                 Inst::Tally { index } => self.tally(index as usize),
                 Inst::Jump { to } => pc = to as usize,
-                Inst::JumpIf { cond, is, to } => {
-                    if (self.scalar(cond) != 0) == is {
+                Inst::JumpIf { test, to } => {
+                    if self.holds(test) {
                         pc = to as usize;
                     }
                 }
                 Inst::Back { to, site } => {
-                    if self.fuel == 0 {
-                        return Err(Stop::OutOfFuel { site });
-                    }
-                    self.fuel -= 1;
+                    self.burn(site)?;
                     pc = to as usize;
                 }
+                Inst::BackIf { test, to, site } => {
+                    if self.holds(test) {
+                        self.burn(site)?;
+                        pc = to as usize;
+                    }
+                }
+                Inst::Again { test, from, to, site } => {
+                    if self.again(test, from) {
+                        self.burn(site)?;
+                        pc = to as usize;
+                    }
+                }
                 Inst::End => return Ok(()),
-                masked => {
-                    if let Some(to) = self.control(masked) {
+                parting => {
+                    if let Some(to) = self.part(parting) {
                         pc = to;
                     }
                 }
             }
         }
-    }
-
-    /// Changes the active lanes; where to go when none is left.
-    fn control(&mut self, inst: Inst) -> Option<usize> {
-        let to = match inst {
-            Inst::If { cond, slot, to } => {
-                self.slots[slot as usize] = self.exec.mask;
-                let lanes = alu::test(self.s, self.rows(), &self.exec, cond);
-                self.exec.set(lanes);
-                to
-            }
-            Inst::Else { cond, slot, to } => {
-                // The condition is tested on the lanes that are saved, whichever of them are active now.
-                self.exec.set(self.slots[slot as usize]);
-                let lanes = alu::test(self.s, self.rows(), &self.exec, cond);
-                self.exec.set(self.exec.mask.and_not(lanes));
-                to
-            }
-            Inst::Restore { slot, to } => {
-                self.exec.set(self.slots[slot as usize]);
-                to
-            }
-            Inst::Save { slot } => {
-                self.slots[slot as usize] = self.exec.mask;
-                return None;
-            }
-            Inst::Drop { slot } => {
-                self.slots[slot as usize] = self.slots[slot as usize].and_not(self.exec.mask);
-                return None;
-            }
-            Inst::Leave { to } => {
-                self.exec.set(Mask::default());
-                to
-            }
-            Inst::Exit { cond, is, live, to } => {
-                let lanes = alu::test(self.s, self.rows(), &self.exec, cond);
-                let leaving = if is { lanes } else { self.exec.mask.and_not(lanes) };
-                self.slots[live as usize] = self.slots[live as usize].and_not(leaving);
-                self.exec.set(self.exec.mask.and_not(leaving));
-                to
-            }
-            _ => return None,
-        };
-        self.exec.mask.is_empty().then_some(to as usize)
     }
 
     fn stop(&self, outside: Option<Outside>, site: u32) -> Result<(), Stop> {

@@ -5,6 +5,8 @@
 //! atomics, and of several traps the one of the first gang is reported.
 
 mod alu;
+mod compare;
+mod control;
 mod gang;
 mod mask;
 mod memory;

@@ -5,9 +5,10 @@ use std::cell::Cell;
 use fearless_simd::{Level, dispatch};
 
 use super::alu::{self, Chunk, Rows};
+use super::compare::passing;
 use super::mask::{CHUNK, Exec, Mask};
 use crate::Simd;
-use crate::code::{BinOp, Reg, TernOp, UnOp};
+use crate::code::{BinOp, Compare, Reg, TernOp, Test, UnOp};
 use crate::semantics;
 
 /// Words at which operations change their behaviour.
@@ -202,10 +203,6 @@ fn masked_operations_agree_on_every_level() {
         let want = |lane| if exec.mask.has(lane) { rows[0][lane] } else { 0x5555_5555 };
         compare("blend", &got, |lane| (want(lane), format!("lane {lane}")));
 
-        let mut lanes = Mask::default();
-        Files::new(rows).run(|r| lanes = dispatch!(level, s => alu::test(s, r, &exec, Reg::vector(1))));
-        (0..LANES).for_each(|lane| assert_eq!(lanes.has(lane), exec.mask.has(lane) && rows[0][lane] != 0));
-
         let length = 64;
         let mut wrong = None;
         let got = Files::new(rows)
@@ -213,6 +210,36 @@ fn masked_operations_agree_on_every_level() {
         compare("check", &got, |lane| (rows[0][lane].min(length - 1), format!("lane {lane}")));
         let first = (0..LANES).find(|lane| exec.mask.has(*lane) && rows[0][*lane] >= length);
         assert_eq!(wrong, first.map(|lane| (lane, rows[0][lane])));
+    }
+}
+
+#[test]
+fn tests_agree_on_every_level() {
+    let mut exec = Exec::new(LANES);
+    exec.set(Mask::first(LANES - 3).and_not(Mask::first(20)));
+    for (simd, level) in levels() {
+        for rows in operands() {
+            for op in Compare::ALL {
+                for form in 0..4 {
+                    let test = Test { op: *op, a: register(1, form & 1 != 0), b: register(2, form & 2 != 0) };
+                    let mut masks = [Mask::default(); 2];
+                    for (mask, test) in masks.iter_mut().zip([test, test.negated()]) {
+                        Files::new(&rows).run(|r| {
+                            let r = Rows { low: exec.low, high: exec.high, ..r };
+                            *mask = dispatch!(level, s => passing(s, r, &exec, test));
+                        });
+                    }
+                    for lane in 0..LANES {
+                        let a = rows[0][if test.a.is_scalar() { 0 } else { lane }];
+                        let b = rows[1][if test.b.is_scalar() { 0 } else { lane }];
+                        let (active, holds) = (exec.mask.has(lane), semantics::compare(*op, a, b));
+                        let want = [active && holds, active && !holds];
+                        let got = masks.map(|mask| mask.has(lane));
+                        assert_eq!(got, want, "{op:?} on {} of {a:#010x}, {b:#010x}", simd.name());
+                    }
+                }
+            }
+        }
     }
 }
 

@@ -1,14 +1,18 @@
 //! Tree to linear code on virtual registers: where masks are needed, jumps where control is uniform.
 //!
 //! Invariant: code runs with at least one active lane. Whatever can leave no lane active jumps to the next place where
-//! lanes wait (the *skip* label of the innermost divergent construct).
+//! lanes wait ([`control`]).
+
+mod control;
 
 use std::collections::{HashMap, HashSet};
 
+use control::Open;
+
 use super::flow::{BlockId, Flow};
 use super::regs::Virtual;
-use super::tree::{Block, Builtin, Construct, Op, Site, Stmt, Tree, Val, Var};
-use crate::code::{AtomicArgs, Inst, Slot, UnOp};
+use super::tree::{Block, Builtin, Op, Stmt, Tree, Val, Var};
+use crate::code::{AtomicArgs, Inst, UnOp};
 
 /// Linear code before allocation.
 pub(super) struct Linear {
@@ -26,14 +30,6 @@ pub(super) struct Linear {
 }
 
 type Label = usize;
-
-/// A divergent construct or a loop around the code being emitted.
-#[derive(Clone, Copy)]
-enum Open {
-    If { slot: Slot, skip: Label },
-    Loop { id: Construct, masks: Option<(Slot, Slot)>, next: Label, exit: Label, skip: Label },
-    Region { id: Construct, slot: Option<Slot>, exit: Label },
-}
 
 struct Emitter<'a> {
     tree: &'a Tree,
@@ -89,8 +85,8 @@ pub(super) fn emit(tree: &Tree, flow: &Flow) -> Linear {
         next_block: 1,
     };
     let end = emitter.label();
-    emitter.open.push(Open::Region { id: Construct(u32::MAX), slot: None, exit: end });
-    emitter.block(&tree.body, 0);
+    emitter.open.push(Open::program(end));
+    emitter.block(&tree.body, 0, 0);
     emitter.bind(end);
     emitter.out.insts.push(Inst::End);
     emitter.finish()
@@ -120,12 +116,6 @@ impl Emitter<'_> {
 
     fn push(&mut self, inst: Inst<Virtual>) {
         self.out.insts.push(inst);
-    }
-
-    fn slot(&mut self) -> Slot {
-        self.slots += 1;
-        self.out.slots = self.out.slots.max(self.slots);
-        (self.slots - 1) as Slot
     }
 
     fn register(&mut self, scalar: bool) -> Virtual {
@@ -160,25 +150,15 @@ impl Emitter<'_> {
         self.places[val.0 as usize].expect("a value is defined before it is used")
     }
 
-    /// Where lanes wait that have nothing to do here.
-    fn skip(&self) -> Label {
-        for open in self.open.iter().rev() {
-            match *open {
-                Open::If { skip, .. } => return skip,
-                Open::Loop { masks: Some(_), skip, .. } => return skip,
-                Open::Region { slot: Some(_), exit, .. } => return exit,
-                Open::Region { id: Construct(u32::MAX), exit, .. } => return exit,
-                _ => {}
-            }
-        }
-        unreachable!("the whole program is a region")
-    }
-
-    fn block(&mut self, block: &Block, id: BlockId) {
+    /// Emits a block; `head` is how many statements stand before the head of the loop that it is the body of.
+    fn block(&mut self, block: &Block, id: BlockId, head: usize) {
         let outer = std::mem::replace(&mut self.block, id);
         self.block_starts[id] = self.out.insts.len() as u32;
         self.find_sinks(block);
-        for stmt in block {
+        for (index, stmt) in block.iter().enumerate() {
+            if index == head {
+                self.block_starts[id] = self.out.insts.len() as u32;
+            }
             let at = self.at;
             self.at += 1;
             self.stmt(stmt, at);
@@ -190,14 +170,24 @@ impl Emitter<'_> {
     }
 
     fn child(&mut self, block: &Block) {
-        let id = self.next_block;
+        self.body(block, 0);
+    }
+
+    /// Emits a block inside a construct.
+    fn body(&mut self, block: &Block, head: usize) {
+        let (at, next_block) = (self.at, self.next_block);
         self.next_block += 1;
-        let count = count(block);
-        let (end, blocks) = (self.at + count.0, self.next_block + count.1);
-        self.block(block, id);
+        self.block(block, next_block, head);
         // Unreachable statements keep their numbers.
-        self.at = end;
-        self.next_block = blocks;
+        (self.at, self.next_block) = (at, next_block);
+        self.pass(block);
+    }
+
+    /// Counts the statements and blocks of a block that is not emitted, or was.
+    fn pass(&mut self, block: &Block) {
+        let (stmts, blocks) = count(block);
+        self.at += stmts;
+        self.next_block += blocks + 1;
     }
 
     /// Finds values that can be computed straight into the variable they are stored to.
@@ -291,6 +281,9 @@ impl Emitter<'_> {
     }
 
     fn define(&mut self, val: Val, at: u32) {
+        if self.flow.is_fused(val) {
+            return;
+        }
         let op = self.tree.op(val);
         let uniform = self.flow.is_uniform(val);
         if let Op::Get(var) = op {
@@ -349,174 +342,6 @@ impl Emitter<'_> {
         } else {
             self.push(Inst::Blend { dst, a });
         }
-    }
-
-    fn branch(&mut self, id: Construct, cond: Val, accept: &Block, reject: &Block) {
-        if self.loop_test(cond, accept, reject) {
-            return;
-        }
-        let varying = self.flow.constructs[id.0 as usize].varying;
-        let cond = self.place(cond);
-        let (other, end) = (self.label(), self.label());
-        if !varying {
-            self.push(Inst::JumpIf { cond, is: false, to: other as u32 });
-            self.child(accept);
-            if !reject.is_empty() {
-                self.push(Inst::Jump { to: end as u32 });
-            }
-            self.bind(other);
-            self.child(reject);
-            self.bind(end);
-            return;
-        }
-        let skip = self.skip();
-        let slot = self.slot();
-        if accept.is_empty() {
-            self.push(Inst::Save { slot });
-            self.child(accept);
-        } else {
-            self.push(Inst::If { cond, slot, to: if reject.is_empty() { end } else { other } as u32 });
-            self.open.push(Open::If { slot, skip: if reject.is_empty() { end } else { other } });
-            self.child(accept);
-            self.open.pop();
-        }
-        self.bind(other);
-        if !reject.is_empty() {
-            self.push(Inst::Else { cond, slot, to: end as u32 });
-            self.open.push(Open::If { slot, skip: end });
-        }
-        self.child(reject);
-        if !reject.is_empty() {
-            self.open.pop();
-        }
-        self.bind(end);
-        self.push(Inst::Restore { slot, to: skip as u32 });
-        self.slots -= 1;
-    }
-
-    /// `if cond { break }` at the top of a divergent loop's body needs no mask of its own.
-    fn loop_test(&mut self, cond: Val, accept: &Block, reject: &Block) -> bool {
-        let (target, is) = match (&accept[..], &reject[..]) {
-            ([Stmt::Break(target)], []) => (*target, true),
-            ([], [Stmt::Break(target)]) => (*target, false),
-            _ => return false,
-        };
-        let Some(Open::Loop { id, masks: Some((live, _)), skip, .. }) = self.open.last().copied() else { return false };
-        if id != target || self.flow.is_uniform(cond) {
-            return false;
-        }
-        let cond = self.place(cond);
-        self.push(Inst::Exit { cond, is, live, to: skip as u32 });
-        self.at += 1;
-        self.next_block += 2;
-        true
-    }
-
-    fn repeat(&mut self, id: Construct, body: &Block, continuing: &Block, break_if: Option<Val>, site: Site) {
-        let info = self.flow.constructs[id.0 as usize];
-        let divergent = info.leaves || info.continues;
-        let outer_skip = self.skip();
-        let (head, next, exit) = (self.label(), self.label(), self.label());
-        let masks = divergent.then(|| (self.slot(), self.slot()));
-        if let Some((live, outer)) = masks {
-            self.push(Inst::Save { slot: outer });
-            self.push(Inst::Save { slot: live });
-        }
-        if self.out.insts.len() as u32 == self.block_starts[self.block] {
-            // A lifetime that begins with the block must begin before the loop.
-            self.push(Inst::Jump { to: head as u32 });
-        }
-        let start = self.out.insts.len() as u32;
-        self.bind(head);
-        self.open.push(Open::Loop { id, masks, next, exit, skip: next });
-        self.child(body);
-        self.bind(next);
-        if let Some((live, _)) = masks {
-            self.push(Inst::Restore { slot: live, to: exit as u32 });
-        }
-        self.open.pop();
-        self.open.push(Open::Loop { id, masks, next, exit, skip: exit });
-        self.child(continuing);
-        if let Some(test) = break_if {
-            let cond = self.place(test);
-            match masks {
-                Some((live, _)) if !cond.scalar => self.push(Inst::Exit { cond, is: true, live, to: exit as u32 }),
-                _ => self.push(Inst::JumpIf { cond, is: true, to: exit as u32 }),
-            }
-        }
-        self.at += 1;
-        self.open.pop();
-        self.push(Inst::Back { to: head as u32, site });
-        self.bind(exit);
-        self.out.loops.push((start, self.out.insts.len() as u32));
-        if let Some((_, outer)) = masks {
-            self.push(Inst::Restore { slot: outer, to: outer_skip as u32 });
-            self.slots -= 2;
-        }
-    }
-
-    fn region(&mut self, id: Construct, body: &Block) {
-        let outer_skip = self.skip();
-        let exit = self.label();
-        let slot = self.flow.constructs[id.0 as usize].leaves.then(|| self.slot());
-        if let Some(slot) = slot {
-            self.push(Inst::Save { slot });
-        }
-        self.open.push(Open::Region { id, slot, exit });
-        self.child(body);
-        self.open.pop();
-        self.bind(exit);
-        if let Some(slot) = slot {
-            self.push(Inst::Restore { slot, to: outer_skip as u32 });
-            self.slots -= 1;
-        }
-    }
-
-    /// All active lanes go to the end, or to the continuing block, of a construct.
-    fn leave(&mut self, target: Construct, is_continue: bool) {
-        let mut drops = Vec::new();
-        let mut wait = None;
-        for open in self.open.clone().into_iter().rev() {
-            match open {
-                Open::If { slot, skip } => {
-                    drops.push(slot);
-                    wait.get_or_insert(skip);
-                }
-                Open::Loop { id, masks, next, exit, .. } if id == target => {
-                    let Some((live, _)) = masks else {
-                        self.push(Inst::Jump { to: if is_continue { next } else { exit } as u32 });
-                        return;
-                    };
-                    if !is_continue {
-                        drops.push(live);
-                    }
-                    wait.get_or_insert(next);
-                    break;
-                }
-                Open::Region { id, slot, exit } if id == target => {
-                    if slot.is_none() {
-                        self.push(Inst::Jump { to: exit as u32 });
-                        return;
-                    }
-                    wait.get_or_insert(exit);
-                    break;
-                }
-                Open::Loop { masks: Some((live, outer)), skip, .. } => {
-                    drops.extend([live, outer]);
-                    wait.get_or_insert(skip);
-                }
-                Open::Region { slot: Some(slot), exit, .. } => {
-                    drops.push(slot);
-                    wait.get_or_insert(exit);
-                }
-                Open::Loop { .. } | Open::Region { .. } => {}
-            }
-        }
-        for slot in drops {
-            self.push(Inst::Drop { slot });
-        }
-        let to = wait.unwrap_or(0) as u32;
-        self.push(Inst::Leave { to });
     }
 }
 

@@ -10,7 +10,7 @@
 //! hides lanes that will read later; a loop that lanes leave hides lanes that read after it; a loop that lanes continue
 //! hides lanes until its continuing block.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use super::tree::{Block, Builtin, Construct, Op, Stmt, Tree, Val, Var};
 use crate::code::Mem;
@@ -78,7 +78,6 @@ pub(super) struct Span {
     pub(super) at: u32,
     pub(super) block: BlockId,
     pub(super) end: u32,
-    pub(super) uses: u32,
 }
 
 /// Everything emission asks about the tree.
@@ -91,6 +90,8 @@ pub(super) struct Flow {
     uniform_vals: Vec<bool>,
     uniform_vars: Vec<bool>,
     quiet: HashMap<u32, bool>,
+    /// Comparisons that nothing but one test of control flow reads: the test makes them.
+    fused: HashSet<Val>,
     sets: Vec<SetInfo>,
     leaves: Vec<LeaveInfo>,
     uses: Vec<(Val, u32, BlockId)>,
@@ -108,6 +109,7 @@ impl Flow {
             uniform_vals: vec![true; tree.vals.len()],
             uniform_vars: vec![true; tree.vars as usize],
             quiet: HashMap::new(),
+            fused: fused(tree),
             sets: Vec::new(),
             leaves: Vec::new(),
             uses: Vec::new(),
@@ -133,23 +135,39 @@ impl Flow {
         self.quiet.get(&at).copied().unwrap_or(false)
     }
 
+    /// Whether a comparison is made by the test that reads it.
+    pub(super) fn is_fused(&self, val: Val) -> bool {
+        self.fused.contains(&val)
+    }
+
+    /// A test reads a value, or the operands of the comparison that it makes itself.
+    fn test(&mut self, tree: &Tree, cond: Val, at: u32, block: BlockId) {
+        if self.is_fused(cond) {
+            tree.op(cond).operands(|val| self.uses.push((val, at, block)));
+        } else {
+            self.uses.push((cond, at, block));
+        }
+    }
+
     /// Numbers statements in order; emission walks the same way and counts along.
     fn number(&mut self, tree: &Tree, block: &Block, id: BlockId, at: &mut u32) {
         self.blocks[id].start = *at;
         for stmt in block {
             let here = *at;
             *at += 1;
-            stmt.operands(tree, |val| self.uses.push((val, here, id)));
+            if !matches!(stmt, Stmt::If { .. } | Stmt::Loop { .. }) {
+                stmt.operands(tree, |val| self.uses.push((val, here, id)));
+            }
             match stmt {
                 Stmt::Def(val) => {
-                    self.spans[val.0 as usize] = Span { at: here, block: id, end: here, uses: 0 };
+                    self.spans[val.0 as usize] = Span { at: here, block: id, end: here };
                     if let Op::Get(var) = tree.op(*val) {
                         self.access(var, here, id, false);
                     }
                 }
                 Stmt::Atomic(atomic) => {
                     if let Some(val) = atomic.result {
-                        self.spans[val.0 as usize] = Span { at: here, block: id, end: here, uses: 0 };
+                        self.spans[val.0 as usize] = Span { at: here, block: id, end: here };
                     }
                 }
                 Stmt::Set(var, val) | Stmt::Init(var, val) => {
@@ -157,10 +175,9 @@ impl Flow {
                     self.sets.push(SetInfo { var: *var, val: *val, at: here, block: id });
                 }
                 Stmt::If { id: construct, cond, accept, reject } => {
+                    self.test(tree, *cond, here, id);
                     self.open(*construct, here, true, false);
                     self.child(tree, accept, *construct, id, false, at);
-                    // The else branch tests the condition again.
-                    self.uses.push((*cond, *at, id));
                     self.child(tree, reject, *construct, id, false, at);
                     self.constructs[construct.0 as usize].end = *at;
                 }
@@ -169,7 +186,7 @@ impl Flow {
                     self.child(tree, body, *construct, id, false, at);
                     let tail = self.child(tree, continuing, *construct, id, true, at);
                     if let Some(test) = break_if {
-                        self.uses.push((*test, *at, tail));
+                        self.test(tree, *test, *at, tail);
                     }
                     *at += 1;
                     self.constructs[construct.0 as usize].end = *at;
@@ -238,7 +255,6 @@ impl Flow {
             }
             let span = &mut self.spans[val.0 as usize];
             span.end = span.end.max(end);
-            span.uses += 1;
         }
     }
 
@@ -387,5 +403,25 @@ impl Flow {
             }
         }
         true
+    }
+}
+
+/// Comparisons that are read once, by a test of control flow.
+fn fused(tree: &Tree) -> HashSet<Val> {
+    let (mut tests, mut reads) = (Vec::new(), vec![0u32; tree.vals.len()]);
+    count_reads(tree, &tree.body, &mut tests, &mut reads);
+    let is_comparison = |val: Val| matches!(tree.op(val), Op::Bin(op, ..) if op.comparison().is_some());
+    tests.into_iter().filter(|&val| reads[val.0 as usize] == 1 && is_comparison(val)).collect()
+}
+
+fn count_reads(tree: &Tree, block: &Block, tests: &mut Vec<Val>, reads: &mut [u32]) {
+    for stmt in block {
+        stmt.operands(tree, |val| reads[val.0 as usize] += 1);
+        if let Stmt::If { cond: test, .. } | Stmt::Loop { break_if: Some(test), .. } = stmt {
+            tests.push(*test);
+        }
+        for inner in super::prune::inner_blocks(stmt) {
+            count_reads(tree, inner, tests, reads);
+        }
     }
 }

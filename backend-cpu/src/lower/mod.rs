@@ -24,11 +24,14 @@ use sightlines_backend::{Error, ErrorKind, Program, Result};
 
 pub(crate) use tree::{Builtin, Cost};
 
-use crate::code::{Code, Input, Reg};
+use crate::code::{Code, Input, Reg, Slot};
 use regs::Virtual;
 
 /// Lanes that a gang of merged workgroups aims at.
 const MERGED_LANES: u32 = 256;
+
+/// Masks that a gang can keep.
+const MAX_SLOTS: usize = Slot::MAX as usize + 1;
 
 /// What lowering depends on beside the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -61,6 +64,11 @@ pub(crate) fn lower(program: &Program, entry: &str, overrides: &[(String, f64)],
     let mergeable = !tree.has_barrier && tree.workgroup_words == 0 && lanes < MERGED_LANES;
     let flow = flow::Flow::new(&tree, mergeable);
     let linear = emit::emit(&tree, &flow);
+    if linear.slots > MAX_SLOTS {
+        let feature = format!("an entry point (`{entry}`) whose lanes part at more than {MAX_SLOTS} places at once");
+        let remedy = "nest control flow less deeply, calls included".into();
+        return Err(ErrorKind::Unsupported { backend: "cpu", feature, location: None, remedy }.into());
+    }
     assemble(&tree, linear, workgroup_size, mergeable).ok_or_else(|| {
         let feature = format!("an entry point (`{entry}`) that keeps more than 32,767 values alive");
         let remedy = "keep fewer values alive, or split the kernel".into();
