@@ -10,6 +10,8 @@ use sightlines_backend_cpu::{Bounds, Config, CpuBackend};
 use sightlines_kernels::grid::{Lattice, Point, Receivers, Samples, Triangle, XY, Z, hidden, hidden_set, is_on_grid};
 use sightlines_kernels::half_planes::HalfPlanes;
 use sightlines_kernels::influence_region::{InfluenceRegion, TiltedRegion, oracle};
+use sightlines_kernels::line_mask::{LineMask, Resolution, Space, tile_shape};
+use sightlines_kernels::pattern::Pattern;
 use sightlines_kernels::row_span::{RowSpan, Scene, Tiles, is_between, tile_width};
 
 /// One interpreter for all scenes, so that a kernel is lowered once.
@@ -26,62 +28,83 @@ struct View {
     receivers: Receivers,
 }
 
-/// An origin and a step of `count` points that stay on the grid; steps of few units make ties.
-fn axis(count: u32) -> impl Strategy<Value = (i32, i32)> {
-    let most = (XY / count as i32).max(2);
-    let step =
-        prop_oneof![1..4_i32, 1..most, Just(most - 1), (0..6_u32).prop_map(move |bits| (1 << bits).min(most - 1))];
-    step.prop_flat_map(move |step| {
-        let extent = step * (count as i32 - 1);
-        (prop_oneof![-extent..=0, -XY..XY - extent], Just(step))
+/// Numbers that become an origin and a step of points that stay on the grid.
+type RawAxis = (i32, i32);
+
+/// Numbers that become a view. Scenes are made from numbers that do not depend on each other, so that they shrink.
+#[derive(Clone, Copy, Debug)]
+struct RawView {
+    shape: usize,
+    light: [RawAxis; 2],
+    floor: [RawAxis; 2],
+    size: [u32; 2],
+    height: i32,
+}
+
+/// Numbers that become a vertex: `part` of the way from a sample to a receiver, if there is a part, and moved.
+#[derive(Clone, Copy, Debug)]
+struct RawVertex {
+    point: Point,
+    receiver: u32,
+    sample: u32,
+    part: Option<(i32, i32)>,
+}
+
+fn raw_axis() -> impl Strategy<Value = RawAxis> {
+    // Steps of few units, and of powers of two, make ties.
+    let step = prop_oneof![1..4, 1..XY, (0..14).prop_map(|bits| 1 << bits)];
+    (prop_oneof![-200..200, -XY..XY], step)
+}
+
+fn raw_view() -> impl Strategy<Value = RawView> {
+    let height = prop_oneof![2..9, 2..600, 2..Z];
+    (0..SHAPES.len(), [raw_axis(), raw_axis()], [raw_axis(), raw_axis()], [1..12_u32, 1..6], height)
+        .prop_map(|(shape, light, floor, size, height)| RawView { shape, light, floor, size, height })
+}
+
+fn raw_vertex() -> impl Strategy<Value = RawVertex> {
+    let beside = [prop_oneof![Just(0), -2..=2], prop_oneof![Just(0), -2..=2], prop_oneof![Just(0), -2..=2]];
+    let part = prop_oneof![Just((1, 2)), Just((1, 4)), Just((3, 4)), (0..8, Just(8)), (0..200, Just(199))];
+    let on_ray = (beside, part.prop_map(Some));
+    let anywhere = ([-XY..XY, -XY..XY, 0..Z], Just(None));
+    // Of all heights those on and next to the planes matter most; `between` holds the last to the receivers'.
+    let height = prop_oneof![Just(0), Just(1), Just(Z - 1)];
+    let level = (-XY..XY, -XY..XY, height).prop_map(|(x, y, z)| ([x, y, z], None));
+    let place = prop_oneof![6 => on_ray.boxed(), 1 => anywhere.boxed(), 1 => level.boxed()];
+    (place, 0..60_u32, 0..1024_u32).prop_map(|((point, part), receiver, sample)| RawVertex {
+        point,
+        receiver,
+        sample,
+        part,
     })
 }
 
-fn view() -> impl Strategy<Value = View> {
-    let light = (0..SHAPES.len()).prop_flat_map(|shape| {
-        let [columns, rows] = SHAPES[shape];
-        (axis(columns), axis(rows)).prop_map(move |((x, step_x), (y, step_y))| Samples {
-            origin: [x, y],
-            step: [step_x, step_y],
-            columns,
-            rows,
-        })
-    });
-    let floor = (1..12_u32, 1..6_u32).prop_flat_map(|(columns, rows)| {
-        let height = prop_oneof![2..9, 2..600, 2..Z, Just(Z - 1)];
-        (axis(columns), axis(rows), height).prop_map(move |((x, step_x), (y, step_y), height)| Receivers {
-            origin: [x, y],
-            step: [step_x, step_y],
-            height,
-            columns,
-            rows,
-        })
-    });
-    (light, floor).prop_map(|(samples, receivers)| View { samples, receivers })
+impl RawView {
+    fn view(self) -> View {
+        let [columns, rows] = SHAPES[self.shape];
+        let (x, y) = (on_grid(self.light[0], columns), on_grid(self.light[1], rows));
+        let samples = Samples { origin: [x.0, y.0], step: [x.1, y.1], columns, rows };
+        let [columns, rows] = self.size;
+        let (x, y) = (on_grid(self.floor[0], columns), on_grid(self.floor[1], rows));
+        let height = self.height;
+        View { samples, receivers: Receivers { origin: [x.0, y.0], step: [x.1, y.1], height, columns, rows } }
+    }
 }
 
-impl View {
-    /// Anywhere on the grid; on or beside a line from a receiver to a sample, exactly where the grid allows.
-    fn vertex(self) -> impl Strategy<Value = Point> {
-        let Receivers { height, .. } = self.receivers;
-        let anywhere = (-XY..XY, -XY..XY, 0..Z).prop_map(|(x, y, z)| [x, y, z]);
-        let sides = (0..self.receivers.count(), 0..self.samples.count());
-        let part = prop_oneof![Just((1, 2)), Just((1, 4)), Just((3, 4)), (0..8, Just(8)), (0..200, Just(199))];
-        let beside = [-2..=2_i32, -2..=2, -2..=2];
-        let on_ray = (sides, part, prop_oneof![Just([0; 3]), beside]).prop_map(move |((r, s), (part, of), beside)| {
-            let (receiver, sample) = (self.receivers.at(r), self.samples.at(s));
-            let at = std::array::from_fn(|k| sample[k] + (receiver[k] - sample[k]) * part / of + beside[k]);
-            clamped(at, [0, Z - 1])
-        });
-        let level = (anywhere.clone(), prop_oneof![Just(0), Just(1), Just(height - 1), Just(height), Just(Z - 1)])
-            .prop_map(|([x, y, _], z)| [x, y, z]);
-        prop_oneof![1 => anywhere, 6 => on_ray, 1 => level]
-    }
+fn on_grid((origin, step): RawAxis, count: u32) -> RawAxis {
+    let steps = count as i32 - 1;
+    let step = step.min((2 * XY - 1) / steps.max(1));
+    (origin.clamp(-XY, XY - 1 - step * steps), step)
+}
 
-    /// A vertex strictly between source and receivers.
-    fn between(self) -> impl Strategy<Value = Point> {
-        let height = self.receivers.height;
-        self.vertex().prop_map(move |vertex| clamped(vertex, [1, height - 1]))
+impl RawVertex {
+    /// The vertex, its z held within `heights`.
+    fn vertex(self, view: &View, heights: [i32; 2]) -> Point {
+        let RawVertex { point, receiver, sample, part } = self;
+        let receiver = view.receivers.at(receiver % view.receivers.count());
+        let sample = view.samples.at(sample % view.samples.count());
+        let along = |k: usize| part.map_or(0, |(part, of)| sample[k] + (receiver[k] - sample[k]) * part / of);
+        clamped(std::array::from_fn(|k| along(k) + point[k]), heights)
     }
 }
 
@@ -89,12 +112,20 @@ fn clamped([x, y, z]: Point, [low, high]: [i32; 2]) -> Point {
     [x.clamp(-XY, XY - 1), y.clamp(-XY, XY - 1), z.clamp(low, high)]
 }
 
-/// A view and triangles of vertices of any height, or strictly between the planes.
-fn scene(most: usize, between: bool) -> impl Strategy<Value = (View, Vec<Triangle>)> {
-    view().prop_flat_map(move |view| {
-        let vertex = if between { view.between().boxed() } else { view.vertex().boxed() };
-        let triangle = [vertex.clone(), vertex.clone(), vertex];
-        (Just(view), proptest::collection::vec(triangle, 1..=most))
+/// A view and up to so many triangles, of vertices of any height.
+fn scene(most: usize) -> impl Strategy<Value = (View, Vec<Triangle>)> {
+    let triangle = [raw_vertex(), raw_vertex(), raw_vertex()];
+    (raw_view(), proptest::collection::vec(triangle, 1..=most)).prop_map(|(raw, triangles)| {
+        let view = raw.view();
+        (view, triangles.into_iter().map(|t| t.map(|v| v.vertex(&view, [0, Z - 1]))).collect())
+    })
+}
+
+/// A view and points strictly between its planes.
+fn between<const N: usize>() -> impl Strategy<Value = (View, [Point; N])> {
+    (raw_view(), std::array::from_fn::<_, N, _>(|_| raw_vertex())).prop_map(|(raw, points)| {
+        let view = raw.view();
+        (view, points.map(|v| v.vertex(&view, [1, view.receivers.height - 1])))
     })
 }
 
@@ -128,28 +159,54 @@ fn by_row_span(view: &View, groups: &[&[Triangle]]) -> Vec<Vec<u32>> {
     let kernel = RowSpan::new(samples).expect("it compiles");
     masks(view, groups, |job, triangles, vertices, hidden| {
         assert!(triangles.iter().all(|t| is_between(t, receivers.height)), "{triangles:?}");
-        let regions: Vec<[i32; 4]> = triangles.iter().map(|t| oracle::region(t, samples, receivers)).collect();
-        let tiles = Tiles::new([tile_width(samples), 2], receivers, &regions);
-        let starts = job.slice("starts", &tiles.starts);
-        // A binding holds at least one element.
-        let entries = job.slice("entries", if tiles.entries.is_empty() { &[0] } else { &tiles.entries[..] });
-        let buffers = Scene { vertices, starts, entries, hidden };
-        kernel.record(job, receivers, &tiles, buffers).expect("it is recorded");
+        let (tiles, scene) = tiled(job, view, triangles, [tile_width(samples), 2], vertices, hidden);
+        kernel.record(job, receivers, &tiles, scene).expect("it is recorded");
     })
 }
 
-/// The masks by the definition, in the order of the kernels'.
-fn defined(view: &View, triangles: &[Triangle]) -> Vec<u32> {
-    let count = view.receivers.count();
-    let sets: Vec<Vec<u32>> = (0..count).map(|r| hidden_set(view.receivers.at(r), &view.samples, triangles)).collect();
-    (0..view.samples.words() as usize).flat_map(|word| sets.iter().map(move |set| set[word])).collect()
+/// By the exact table of lines, as coarse as a table may be, so that much is left to signs.
+fn by_line_mask(view: &View, groups: &[&[Triangle]]) -> Vec<Vec<u32>> {
+    let View { samples, receivers } = view;
+    let pattern = Pattern::regular(samples).expect("it is on the grid");
+    let kernel = LineMask::new(&pattern, Resolution { space: Space::Exact, bits: 3 }).expect("it compiles");
+    masks(view, groups, |job, triangles, vertices, hidden| {
+        let table = kernel.record_table(job);
+        let (tiles, scene) = tiled(job, view, triangles, tile_shape(&pattern), vertices, hidden);
+        kernel.record(job, receivers, &tiles, table, scene).expect("it is recorded");
+    })
 }
 
-/// A triangle and a point of its edge, all on the grid: the edge's middle.
-fn split(view: View) -> impl Strategy<Value = (Triangle, Point)> {
-    [view.between(), view.between(), view.between()].prop_map(|[a, b, c]| {
-        let c = std::array::from_fn(|k| c[k] - (c[k] - b[k]) % 2);
-        ([a, b, c], std::array::from_fn(|k| (b[k] + c[k]) / 2))
+/// Triangles sorted into tiles by their regions.
+fn tiled(
+    job: &mut Job,
+    view: &View,
+    triangles: &[Triangle],
+    size: [u32; 2],
+    vertices: Buffer<[i32]>,
+    hidden: Buffer<[u32]>,
+) -> (Tiles, Scene) {
+    let regions: Vec<[i32; 4]> = triangles.iter().map(|t| oracle::region(t, &view.samples, &view.receivers)).collect();
+    let tiles = Tiles::new(size, &view.receivers, &regions);
+    let starts = job.slice("starts", &tiles.starts);
+    // A binding holds at least one element.
+    let entries = job.slice("entries", if tiles.entries.is_empty() { &[0] } else { &tiles.entries[..] });
+    (tiles, Scene { vertices, starts, entries, hidden })
+}
+
+/// The first receiver and sample of which masks and definition disagree.
+fn difference(view: &View, found: &[u32], triangles: &[Triangle]) -> Option<String> {
+    let (count, words) = (view.receivers.count(), view.samples.words());
+    (0..count).find_map(|receiver| {
+        let set = hidden_set(view.receivers.at(receiver), &view.samples, triangles);
+        (0..words).find_map(|word| {
+            let (found, wanted) = (found[(word * count + receiver) as usize], set[word as usize]);
+            let sample = 32 * word + (found ^ wanted).trailing_zeros();
+            (found != wanted).then(|| {
+                let [at, from] = [view.receivers.at(receiver), view.samples.at(sample)];
+                let wrongly = if wanted >> (sample % 32) & 1 == 0 { "wrongly hidden" } else { "wrongly visible" };
+                format!("sample {sample} {from:?} is {wrongly} from receiver {receiver} {at:?}")
+            })
+        })
     })
 }
 
@@ -158,24 +215,35 @@ fn config(cases: u32) -> ProptestConfig {
 }
 
 proptest! {
-    #![proptest_config(config(256))]
+    #![proptest_config(config(192))]
 
     #[test]
-    fn half_planes_equal_the_definition((view, triangles) in scene(3, false)) {
-        prop_assert_eq!(&by_half_planes(&view, &[&triangles])[0], &defined(&view, &triangles));
+    fn half_planes_equal_the_definition((view, triangles) in scene(3)) {
+        let found = by_half_planes(&view, &[&triangles]);
+        prop_assert_eq!(difference(&view, &found[0], &triangles), None);
     }
 
     #[test]
-    fn row_spans_equal_the_definition((view, triangles) in scene(3, true)) {
-        prop_assert_eq!(&by_row_span(&view, &[&triangles])[0], &defined(&view, &triangles));
+    fn line_masks_equal_the_definition((view, triangles) in scene(3)) {
+        let found = by_line_mask(&view, &[&triangles]);
+        prop_assert_eq!(difference(&view, &found[0], &triangles), None);
     }
 
     #[test]
-    fn two_halves_of_a_triangle_make_it_up_and_share_no_sample(
-        (view, ([a, b, c], middle)) in view().prop_flat_map(|view| (Just(view), split(view)))
-    ) {
+    fn row_spans_equal_the_definition((view, [a, b, c, d]) in between()) {
+        let triangles = [[a, b, c], [d, c, b]];
+        let found = by_row_span(&view, &[&triangles]);
+        prop_assert_eq!(difference(&view, &found[0], &triangles), None);
+    }
+
+    #[test]
+    fn two_halves_of_a_triangle_make_it_up_and_share_no_sample((view, [a, b, c]) in between()) {
+        // Moved by at most a unit, so that the middle of an edge is a point of the grid.
+        let c: Point = std::array::from_fn(|k| c[k] - (c[k] - b[k]) % 2);
+        let middle: Point = std::array::from_fn(|k| (b[k] + c[k]) / 2);
         let parts: [&[Triangle]; 3] = [&[[a, b, c]], &[[a, b, middle]], &[[middle, c, a]]];
-        for masks in [by_row_span(&view, &parts), by_half_planes(&view, &parts)] {
+        for by in [by_row_span, by_half_planes, by_line_mask] {
+            let masks = by(&view, &parts);
             for ((whole, left), right) in masks[0].iter().zip(&masks[1]).zip(&masks[2]) {
                 prop_assert_eq!(left & right, 0, "samples are covered twice");
                 prop_assert_eq!(left | right, *whole, "samples leak, or are gained");
@@ -184,13 +252,10 @@ proptest! {
     }
 
     #[test]
-    fn a_closed_mesh_is_left_as_often_as_it_is_entered(
-        (view, [a, b, c, d]) in view().prop_flat_map(|view| {
-            (Just(view), [view.between(), view.between(), view.between(), view.between()])
-        })
-    ) {
+    fn a_closed_mesh_is_left_as_often_as_it_is_entered((view, [a, b, c, d]) in between()) {
         let faces: [&[Triangle]; 4] = [&[[a, b, c]], &[[a, c, d]], &[[a, d, b]], &[[b, d, c]]];
-        for masks in [by_row_span(&view, &faces), by_half_planes(&view, &faces)] {
+        for by in [by_row_span, by_half_planes, by_line_mask] {
+            let masks = by(&view, &faces);
             for word in 0..masks[0].len() {
                 prop_assert_eq!(masks.iter().fold(0, |parity, mask| parity ^ mask[word]), 0, "word {}", word);
             }
@@ -198,7 +263,7 @@ proptest! {
     }
 
     #[test]
-    fn no_receiver_outside_a_region_is_hidden_from_any_sample((view, triangles) in scene(2, false)) {
+    fn no_receiver_outside_a_region_is_hidden_from_any_sample((view, triangles) in scene(2)) {
         let View { samples, receivers } = view;
         for triangle in &triangles {
             let [x0, x1, y0, y1] = region_of(triangle, &samples, &receivers);
@@ -238,7 +303,7 @@ fn lattice() -> impl Strategy<Value = (Samples, Lattice)> {
     let lattice = (origin, axes, 1..9_u32, 1..9_u32)
         .prop_map(|(origin, axes, columns, rows)| Lattice { origin, axes, columns, rows })
         .prop_filter("on the grid", |lattice| lattice.check().is_ok());
-    (view(), lattice).prop_map(|(view, lattice)| (view.samples, lattice)).prop_filter(
+    (raw_view(), lattice).prop_map(|(raw, lattice)| (raw.view().samples, lattice)).prop_filter(
         "the light stands on one side",
         |(samples, lattice)| {
             let side = |p: Point| {
