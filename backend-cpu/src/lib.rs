@@ -117,6 +117,25 @@ impl Simd {
     }
 }
 
+/// Bounds on what an entry point may become. The defaults suit any kernel that a person wrote; what exceeds one is refused
+/// with its source line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct CodeLimits {
+    /// Operations after calls are inlined and types are split into words; 2^18. The time of lowering is at worst
+    /// quadratic in it.
+    pub operations: u32,
+    /// Levels of control flow and calls after inlining; 512. Each case of a `switch` is a level.
+    pub depth: u32,
+    /// Bytes of private memory of one invocation: its variables that are indexed at run time; 256 KiB.
+    pub private: u32,
+}
+
+impl Default for CodeLimits {
+    fn default() -> Self {
+        CodeLimits { operations: 1 << 18, depth: 512, private: 256 << 10 }
+    }
+}
+
 /// How the interpreter runs. Nothing here changes a result, except what a trap or a limit ends.
 #[derive(Clone, Copy, Debug)]
 pub struct Config {
@@ -132,8 +151,10 @@ pub struct Config {
     pub lanes: Option<u32>,
     /// Count semantic costs ([`Session::counts`]).
     pub count: bool,
-    /// Bytes of buffers that a session may allocate.
+    /// Bytes that a session may allocate: its buffers, and the registers and memories of the gangs that run at once.
     pub memory: u64,
+    /// Bounds on what an entry point may become.
+    pub limits: CodeLimits,
 }
 
 impl Default for Config {
@@ -146,9 +167,13 @@ impl Default for Config {
             lanes: None,
             count: false,
             memory: 8 << 30,
+            limits: CodeLimits::default(),
         }
     }
 }
+
+/// Instructions that the cache of an interpreter holds; one that is full starts anew. About 64 MiB.
+const CACHED_INSTRUCTIONS: usize = 1 << 22;
 
 type CodeKey = (String, String, Vec<(String, u64)>);
 
@@ -187,7 +212,7 @@ impl CpuBackend {
 
     /// Register code of an entry point: its `Display` is the disassembly.
     pub fn lowered(program: &Program, entry: &str, overrides: &[(String, f64)]) -> Result<Code> {
-        lower::lower(program, entry, overrides, lower::Options { count: false })
+        lower::lower(program, entry, overrides, lower::Options { count: false, limits: CodeLimits::default() })
     }
 
     fn code(&self, program: &Program, entry: &str, overrides: &[(String, f64)]) -> Result<Arc<Code>> {
@@ -197,8 +222,11 @@ impl CpuBackend {
         if let Some(code) = codes.get(&key) {
             return Ok(Arc::clone(code));
         }
-        let options = lower::Options { count: self.config.count };
+        let options = lower::Options { count: self.config.count, limits: self.config.limits };
         let code = Arc::new(lower::lower(program, entry, overrides, options)?);
+        if codes.values().map(|code| code.insts.len()).sum::<usize>() + code.insts.len() > CACHED_INSTRUCTIONS {
+            codes.clear();
+        }
         codes.insert(key, Arc::clone(&code));
         Ok(code)
     }

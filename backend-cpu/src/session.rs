@@ -15,6 +15,7 @@ use crate::{Bounds, CpuBackend};
 pub(crate) struct CpuSession<'a> {
     backend: &'a CpuBackend,
     programs: Vec<Arc<Program>>,
+    descs: Vec<BufferDesc>,
     buffers: Vec<Vec<u32>>,
     counts: Counts,
     lane_ops: u64,
@@ -22,14 +23,16 @@ pub(crate) struct CpuSession<'a> {
 
 impl<'a> CpuSession<'a> {
     pub(crate) fn open(backend: &'a CpuBackend, programs: &[Arc<Program>], buffers: &[BufferDesc]) -> Result<Self> {
+        check::buffers(buffers)?;
         let wanted = buffers.iter().fold(0u64, |sum, buffer| sum.saturating_add(buffer.size));
         let limit = backend.config.memory;
         if wanted > limit {
             let kind = TrapKind::OutOfMemory { wanted, limit };
             return Err(Error::from(Trap { kind, location: None, invocation: None }));
         }
-        let buffers = buffers.iter().map(|buffer| vec![0; buffer.size.div_ceil(4) as usize]).collect();
-        Ok(CpuSession { backend, programs: programs.to_vec(), buffers, counts: Counts::default(), lane_ops: 0 })
+        let (programs, descs) = (programs.to_vec(), buffers.to_vec());
+        let buffers = buffers.iter().map(|buffer| vec![0; (buffer.size / 4) as usize]).collect();
+        Ok(CpuSession { backend, programs, descs, buffers, counts: Counts::default(), lane_ops: 0 })
     }
 
     fn range(&mut self, buffer: BufferId, offset: u64, size: u64) -> Result<&mut [u32]> {
@@ -60,6 +63,8 @@ impl<'a> CpuSession<'a> {
             trap: self.backend.config.bounds == Bounds::Trap,
             fuel: self.backend.config.fuel,
             lanes: self.backend.config.lanes,
+            allocated: self.descs.iter().map(|buffer| buffer.size).sum(),
+            memory: self.backend.config.memory,
         };
         let (counts, lane_ops) =
             exec::run(&code, &program, &mut self.buffers, &ranges, groups, &settings).map_err(Error::from)?;
@@ -94,6 +99,7 @@ impl<'a> CpuSession<'a> {
 
 impl Session for CpuSession<'_> {
     fn submit(&mut self, recording: &Recording) -> Result<()> {
+        check::recording(&self.descs, &self.programs, recording)?;
         for command in &recording.commands {
             match command {
                 Command::Upload { buffer, offset, bytes } => {
@@ -114,6 +120,7 @@ impl Session for CpuSession<'_> {
     }
 
     fn read(&mut self, read: &Read) -> Result<Vec<u8>> {
+        check::read(&self.descs, read)?;
         let words = self.range(read.buffer, read.offset, read.size)?;
         let mut bytes = Vec::with_capacity(words.len() * 4);
         words.iter().for_each(|word| bytes.extend_from_slice(&word.to_le_bytes()));

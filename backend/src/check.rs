@@ -9,7 +9,6 @@
 
 mod dispatch;
 
-use std::collections::HashSet;
 use std::sync::Arc;
 
 use crate::{BufferDesc, BufferId, Command, Error, Groups, Job, Program, Read, Recording, Result};
@@ -50,7 +49,7 @@ pub fn indirect_groups(words: [u32; 3]) -> [u32; 3] {
 /// Checks a whole job.
 pub fn job(job: &Job) -> Result<()> {
     buffers(&job.buffers)?;
-    let mut checker = Checker { buffers: &job.buffers, programs: &job.programs, entries: HashSet::new() };
+    let checker = Checker { buffers: &job.buffers, programs: &job.programs };
     for (index, recording) in job.recordings.iter().enumerate() {
         checker.recording(recording, &format!("recording {index}, "))?;
     }
@@ -74,7 +73,7 @@ pub fn buffers(buffers: &[BufferDesc]) -> Result<()> {
 
 /// Checks one recording of a session over `buffers` and `programs`.
 pub fn recording(buffers: &[BufferDesc], programs: &[Arc<Program>], recording: &Recording) -> Result<()> {
-    Checker { buffers, programs, entries: HashSet::new() }.recording(recording, "")
+    Checker { buffers, programs }.recording(recording, "")
 }
 
 /// Checks one read of a session over `buffers`.
@@ -86,12 +85,10 @@ pub fn read(buffers: &[BufferDesc], read: &Read) -> Result<()> {
 struct Checker<'a> {
     buffers: &'a [BufferDesc],
     programs: &'a [Arc<Program>],
-    /// Entry points with their overrides that have been found to fit a device.
-    entries: HashSet<dispatch::Specialisation>,
 }
 
 impl Checker<'_> {
-    fn recording(&mut self, recording: &Recording, context: &str) -> Result<()> {
+    fn recording(&self, recording: &Recording, context: &str) -> Result<()> {
         for (index, command) in recording.commands.iter().enumerate() {
             let context = format!("{context}command {index}");
             match command {

@@ -70,6 +70,18 @@ pub enum ErrorKind {
         /// What the author can do.
         remedy: String,
     },
+    /// A program that is valid, and larger than a limit that the caller can set.
+    #[error("{}{what}, the limit is {limit}\n  remedy: {remedy}", at(.location))]
+    Limit {
+        /// What exceeds the limit.
+        what: String,
+        /// The limit.
+        limit: u64,
+        /// Where the program exceeds it.
+        location: Option<Location>,
+        /// What the author can do, and the argument that raises the limit.
+        remedy: String,
+    },
     /// A run that WGSL calls a dynamic error, stopped at its source line.
     #[error("{0}")]
     Trap(Trap),

@@ -1,7 +1,8 @@
 //! link → parse → validate → lint → reflect: one [`naga::Module`] for every backend.
 
 use std::borrow::Cow;
-use std::sync::Arc;
+use std::collections::HashSet;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use codespan_reporting::diagnostic::{Diagnostic, Label};
 use codespan_reporting::files::SimpleFiles;
@@ -77,7 +78,12 @@ pub struct Program {
     info: ModuleInfo,
     bindings: Vec<Binding>,
     entries: Vec<Entry>,
+    /// Entry points, with the bits of their override values, that have been found to fit a device.
+    fitting: Mutex<HashSet<Variant>>,
 }
+
+/// An entry point and the bits of its override values.
+type Variant = (String, Vec<(String, u64)>);
 
 impl Program {
     /// Links `root` and compiles it under the portability lints.
@@ -105,7 +111,8 @@ impl Program {
             return Err(diagnose(&linked, "validate", &message, &[], notes).into());
         }
         let id = blake3::hash(linked.text.as_bytes()).to_hex()[..16].to_owned();
-        Ok(Program { label: label.to_owned(), id, linked, lint, module, info, bindings, entries })
+        let (label, fitting) = (label.to_owned(), Mutex::default());
+        Ok(Program { label, id, linked, lint, module, info, bindings, entries, fitting })
     }
 
     /// Name for people.
@@ -146,6 +153,23 @@ impl Program {
     /// An entry point by name.
     pub fn entry(&self, name: &str) -> Option<&Entry> {
         self.entries.iter().find(|e| e.name == name)
+    }
+
+    /// Runs `check` on an entry point with override values unless it has passed before.
+    pub(crate) fn check_once(
+        &self,
+        entry: &str,
+        overrides: &[(String, f64)],
+        check: impl FnOnce() -> Result<()>,
+    ) -> Result<()> {
+        let bits = overrides.iter().map(|(name, value)| (name.clone(), value.to_bits())).collect();
+        let key = (entry.to_owned(), bits);
+        let fitting = || self.fitting.lock().unwrap_or_else(PoisonError::into_inner);
+        if !fitting().contains(&key) {
+            check()?;
+            fitting().insert(key);
+        }
+        Ok(())
     }
 
     /// The module and its info with override values applied and only `entry` kept: what a pipeline is made from.

@@ -92,6 +92,12 @@ impl Worker {
         }
     }
 
+    /// Bytes of registers and memory that a worker allocates.
+    pub(super) fn bytes(code: &Code, lanes: usize) -> u64 {
+        let rows = code.vectors as u64 + u64::from(code.private_words);
+        4 * (rows * lanes as u64 + code.scalars as u64 + u64::from(code.workgroup_words))
+    }
+
     /// Runs the workgroups from `first` on, as many as a gang holds and the grid has.
     pub(super) fn run<S: Simd, W: SharedWord>(
         &mut self,

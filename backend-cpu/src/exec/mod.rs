@@ -47,6 +47,9 @@ pub(crate) struct Settings<'a> {
     pub(crate) fuel: u64,
     /// Lanes of a merged gang; `None` lets the register count decide.
     pub(crate) lanes: Option<u32>,
+    /// Bytes that are allocated already, and bytes that may be.
+    pub(crate) allocated: u64,
+    pub(crate) memory: u64,
 }
 
 /// Runs a dispatch on buffers of words: its semantic costs, and its lane-operations.
@@ -64,6 +67,12 @@ pub(crate) fn run(
     let written: Vec<bool> =
         (0..buffers.len()).map(|index| ranges.iter().any(|r| r.buffer == index && r.write)).collect();
     let grid = Grid::new(code, groups, settings);
+    let workers = settings.pool.map_or(1, |pool| grid.gangs().min(pool.current_num_threads() as u64));
+    let wanted = settings.allocated.saturating_add(workers * Worker::bytes(code, grid.lanes));
+    if wanted > settings.memory {
+        let kind = TrapKind::OutOfMemory { wanted, limit: settings.memory };
+        return Err(Trap { kind, location: None, invocation: None });
+    }
     let work = match settings.pool {
         Some(pool) if grid.gangs() > 1 => {
             let views = views(buffers, ranges, &written, |words| {

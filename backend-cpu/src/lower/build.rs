@@ -11,19 +11,31 @@ use naga::{Arena, Expression, Handle, Span, TypeInner};
 use super::place::{Place, Root};
 use super::scan::Scan;
 use super::tree::{Block, Builtin, Construct, Cost, Op, Site, Stmt, Tree, Val, Var};
-use super::{fold, idiom};
+use super::{Options, fold, idiom};
 use crate::code::{BinOp, Mem};
 
 /// Why a program cannot be lowered.
 #[derive(Debug)]
 pub(crate) struct Fail {
-    pub(crate) feature: String,
+    pub(crate) reason: Reason,
     pub(crate) span: Option<Span>,
+}
+
+#[derive(Debug)]
+pub(crate) enum Reason {
+    /// A feature that the interpreter lacks.
+    Unsupported(String),
+    /// What exceeds a limit of [`CodeLimits`](crate::CodeLimits), and the limit.
+    Limit(&'static str, u64),
 }
 
 impl Fail {
     pub(super) fn unsupported(feature: impl Into<String>, span: Option<Span>) -> Self {
-        Fail { feature: feature.into(), span }
+        Fail { reason: Reason::Unsupported(feature.into()), span }
+    }
+
+    fn limit(what: &'static str, limit: u32) -> Self {
+        Fail { reason: Reason::Limit(what, limit.into()), span: None }
     }
 
     /// Adds a place, where none is known yet.
@@ -76,11 +88,22 @@ pub(crate) struct Builder<'m> {
     constants: HashMap<u32, Val>,
     /// Pure values that can be used again, innermost block last.
     scopes: Vec<HashMap<Op, Val>>,
-    /// Values that variables are known to hold, and every variable set so far.
-    known: HashMap<Var, Val>,
+    /// Values that variables are known to hold, by block, innermost last; and every variable set so far.
+    known: Vec<Known>,
     sets: Vec<Var>,
     pending: Cost,
-    count: bool,
+    options: Options,
+    /// Operations built so far.
+    spent: u64,
+}
+
+/// What a block knows of variables.
+#[derive(Default)]
+struct Known {
+    /// `None` where the value of an outer block does not hold any more.
+    values: HashMap<Var, Option<Val>>,
+    /// Whether outer blocks tell nothing.
+    opaque: bool,
 }
 
 impl<'m> Builder<'m> {
@@ -90,7 +113,7 @@ impl<'m> Builder<'m> {
         info: &'m naga::valid::ModuleInfo,
         entry: usize,
         slots: &[(u32, u32)],
-        count: bool,
+        options: Options,
     ) -> Result<Tree, Fail> {
         let point = &module.entry_points[entry];
         let mut builder = Builder {
@@ -106,10 +129,11 @@ impl<'m> Builder<'m> {
             readonly: vec![false; slots.len()],
             constants: HashMap::new(),
             scopes: vec![HashMap::new()],
-            known: HashMap::new(),
+            known: vec![Known::default()],
             sets: Vec::new(),
             pending: Cost::default(),
-            count,
+            options,
+            spent: 0,
         };
         builder.place_globals(slots, info.get_entry_point(entry))?;
         let function = &point.function;
@@ -155,16 +179,27 @@ impl<'m> Builder<'m> {
                     Root::Mem(Mem::Workgroup, base)
                 }
                 naga::AddressSpace::Private => {
-                    let init = global.init.map(|init| self.constant_words(&module.global_expressions, init));
                     let count = words(self)?;
+                    let dynamic = self.scan.private_is_dynamic(handle);
+                    self.room(count, dynamic, global.init.is_some()).map_err(|e| e.at(span))?;
+                    let init = global.init.map(|init| self.constant_words(&module.global_expressions, init));
                     let init = init.transpose()?.unwrap_or_else(|| vec![0; count as usize]);
-                    self.private(self.scan.private_is_dynamic(handle), count, &init, span)
+                    self.private(dynamic, count, &init, span)
                 }
                 _ => return Err(Fail::unsupported("a resource that is not a buffer (texture, sampler)", Some(span))),
             };
             self.globals.insert(handle, Place { root, ty, dynamic: None, offset: 0 });
         }
         Ok(())
+    }
+
+    /// Whether a private or function variable of so many words is within the limits.
+    fn room(&mut self, count: u32, dynamic: bool, has_init: bool) -> Result<(), Fail> {
+        let limit = self.options.limits.private;
+        if dynamic && (u64::from(self.tree.private_words) + u64::from(count)) * 4 > u64::from(limit) {
+            return Err(Fail::limit("bytes of private memory of one invocation", limit));
+        }
+        self.spend(if dynamic && !has_init { 1 } else { count })
     }
 
     /// Room for a private or function variable: variables, or memory where it is indexed at run time.
@@ -174,13 +209,13 @@ impl<'m> Builder<'m> {
             for (index, &word) in init.iter().enumerate() {
                 let (var, val) = (Var(base + index as u32), self.constant(word));
                 self.push(Stmt::Init(var, val));
-                self.known.insert(var, val);
+                self.learn(var, Some(val));
                 self.sets.push(var);
             }
             return Root::Vars(base);
         }
         let base = self.tree.private_words;
-        self.tree.private_words = base.saturating_add(count);
+        self.tree.private_words += count;
         self.push(Stmt::Zero { offset: base, count });
         let addr = self.constant(0);
         let site = self.site(span);
@@ -242,6 +277,9 @@ impl<'m> Builder<'m> {
         arguments: Vec<Value>,
         has_result: bool,
     ) -> Result<Frame<'m>, Fail> {
+        self.enter()?;
+        // A call takes time for its expressions even where it returns before them.
+        self.spend(function.expressions.len() as u32 / 16)?;
         let mut frame = Frame {
             function,
             info,
@@ -256,6 +294,7 @@ impl<'m> Builder<'m> {
             let span = function.local_variables.get_span(handle);
             let ty = self.inner(local.ty).clone();
             let count = self.flat(&ty).map_err(|e| e.at(span))?;
+            self.room(count, dynamic.contains(&handle), local.init.is_some()).map_err(|e| e.at(span))?;
             let init = match local.init {
                 Some(init) => self.constant_words(&function.expressions, init).map_err(|e| e.at(span))?,
                 None => vec![0; count as usize],
@@ -267,6 +306,7 @@ impl<'m> Builder<'m> {
             let mut vars = Vec::new();
             if has_result && let Some(result) = &function.result {
                 let count = self.flat(self.inner(result.ty))?;
+                self.spend(count)?;
                 let base = self.variables(count);
                 vars.extend((base..base + count).map(Var));
             }
@@ -277,12 +317,6 @@ impl<'m> Builder<'m> {
 
     /// Builds the body of a call; the result is its value.
     pub(super) fn inline(&mut self, frame: Frame<'m>) -> Result<Option<Rc<[Val]>>, Fail> {
-        if self.frames.len() >= 256 {
-            return Err(Fail::unsupported("a call chain of more than 256 functions", None));
-        }
-        if self.tree.vals.len() > 4_000_000 {
-            return Err(Fail::unsupported("a program of more than 4,000,000 operations after inlining", None));
-        }
         let body = &frame.function.body;
         let exit = frame.exit.clone();
         self.frames.push(frame);
@@ -309,24 +343,66 @@ impl<'m> Builder<'m> {
 
     /// Builds a block of its own; variables it sets are not known afterwards.
     pub(super) fn nested(&mut self, f: impl FnOnce(&mut Self) -> Result<(), Fail>) -> Result<Block, Fail> {
+        self.enter()?;
         let outer = std::mem::take(&mut self.block);
-        let known = self.known.clone();
         let mark = self.sets.len();
         self.scopes.push(HashMap::new());
+        self.known.push(Known::default());
         let result = f(self);
         self.flush();
         self.scopes.pop();
-        self.known = known;
-        for var in &self.sets[mark..] {
-            self.known.remove(var);
+        self.known.pop();
+        for index in mark..self.sets.len() {
+            self.learn(self.sets[index], None);
         }
         result?;
         Ok(std::mem::replace(&mut self.block, outer))
     }
 
+    /// Whether one more block or call stands within the limit of nesting.
+    fn enter(&self) -> Result<(), Fail> {
+        let limit = self.options.limits.depth;
+        if self.scopes.len() + self.frames.len() > limit as usize {
+            return Err(Fail::limit("levels of control flow and calls after inlining", limit));
+        }
+        Ok(())
+    }
+
     /// Forgets what variables hold: the head of a loop can be reached from its end.
     pub(super) fn forget(&mut self) {
-        self.known.clear();
+        if let Some(known) = self.known.last_mut() {
+            *known = Known { values: HashMap::new(), opaque: true };
+        }
+    }
+
+    /// What the open block knows of a variable from here on.
+    fn learn(&mut self, var: Var, val: Option<Val>) {
+        if let Some(known) = self.known.last_mut() {
+            known.values.insert(var, val);
+        }
+    }
+
+    /// The value that a variable is known to hold.
+    fn known(&self, var: Var) -> Option<Val> {
+        for known in self.known.iter().rev() {
+            if let Some(val) = known.values.get(&var) {
+                return *val;
+            }
+            if known.opaque {
+                return None;
+            }
+        }
+        None
+    }
+
+    /// Accounts for `words` operations that are about to be built.
+    pub(super) fn spend(&mut self, words: u32) -> Result<(), Fail> {
+        self.spent += u64::from(words);
+        let limit = self.options.limits.operations;
+        if self.spent > u64::from(limit) {
+            return Err(Fail::limit("operations after inlining and splitting into words", limit));
+        }
+        Ok(())
     }
 
     /// Forgets the values that the innermost block has numbered, until [`Builder::show_numbered`].
@@ -393,20 +469,20 @@ impl<'m> Builder<'m> {
     }
 
     pub(super) fn get(&mut self, var: Var) -> Val {
-        if let Some(val) = self.known.get(&var) {
-            return *val;
+        if let Some(val) = self.known(var) {
+            return val;
         }
         let val = self.define(Op::Get(var));
-        self.known.insert(var, val);
+        self.learn(var, Some(val));
         val
     }
 
     pub(super) fn set(&mut self, var: Var, val: Val) {
-        if self.known.get(&var) == Some(&val) {
+        if self.known(var) == Some(val) {
             return;
         }
         self.push(Stmt::Set(var, val));
-        self.known.insert(var, val);
+        self.learn(var, Some(val));
         self.sets.push(var);
     }
 
@@ -440,7 +516,7 @@ impl<'m> Builder<'m> {
     /// Records the costs of the straight run that ends here.
     pub(super) fn flush(&mut self) {
         let cost = std::mem::take(&mut self.pending);
-        if self.count && cost != Cost::default() {
+        if self.options.count && cost != Cost::default() {
             self.tree.costs.push(cost);
             let index = self.tree.costs.len() as u32 - 1;
             self.push(Stmt::Tally(index));

@@ -51,6 +51,9 @@ impl<'m> Builder<'m> {
             return Ok(value.clone());
         }
         let span = frame.function.expressions.get_span(handle);
+        let words = frame.info[handle].ty.inner_with(&self.module.types);
+        let words = if words.pointer_space().is_some() { 1 } else { self.flat(words).unwrap_or(1) };
+        self.spend(words).map_err(|e| e.at(span))?;
         let value = self.evaluate(handle, span).map_err(|e| e.at(span))?;
         self.frame_mut().values[handle.index()] = Some(value.clone());
         Ok(value)
@@ -169,6 +172,7 @@ impl<'m> Builder<'m> {
         index: Val,
         span: naga::Span,
     ) -> Result<Rc<[Val]>, Fail> {
+        self.spend(words.len() as u32)?;
         let (_, each) = self.part(base, 0)?;
         let count = words.len() / each.max(1);
         let length = self.constant(count as u32);

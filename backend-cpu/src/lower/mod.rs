@@ -20,10 +20,13 @@ mod tree;
 
 use std::collections::HashMap;
 
+use std::thread;
+
 use sightlines_backend::{Error, ErrorKind, Program, Result};
 
 pub(crate) use tree::{Builtin, Cost};
 
+use crate::CodeLimits;
 use crate::code::{Code, Input, Reg, Slot};
 use regs::Virtual;
 
@@ -38,10 +41,25 @@ const MAX_SLOTS: usize = Slot::MAX as usize + 1;
 pub(crate) struct Options {
     /// Insert tallies of semantic costs.
     pub(crate) count: bool,
+    pub(crate) limits: CodeLimits,
 }
 
-/// Lowers one entry point with its overrides applied.
+/// Stack for each level of nesting, more than a level takes in any pass (measured: about 2 KiB), and for all else.
+const STACK: [usize; 2] = [16 << 10, 4 << 20];
+
+/// Lowers one entry point with its overrides applied, on a thread whose stack serves the deepest program allowed.
 pub(crate) fn lower(program: &Program, entry: &str, overrides: &[(String, f64)], options: Options) -> Result<Code> {
+    let stack = STACK[0] * options.limits.depth as usize + STACK[1];
+    thread::scope(|scope| {
+        let lower = || lower_here(program, entry, overrides, options);
+        match thread::Builder::new().name("lowering".into()).stack_size(stack).spawn_scoped(scope, lower) {
+            Ok(thread) => thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
+            Err(e) => Err(Error::refused(format!("no thread of {stack} bytes of stack: {e}"), "lower `depth`")),
+        }
+    })
+}
+
+fn lower_here(program: &Program, entry: &str, overrides: &[(String, f64)], options: Options) -> Result<Code> {
     let (module, info) = program.specialise(entry, overrides)?;
     let index = module.entry_points.iter().position(|e| e.name == entry).ok_or_else(|| {
         Error::refused(format!("`{}` has no entry point `{entry}`", program.label()), "name one that it has")
@@ -49,13 +67,24 @@ pub(crate) fn lower(program: &Program, entry: &str, overrides: &[(String, f64)],
     let reflected = program.entry(entry).map(|e| e.bindings.clone()).unwrap_or_default();
     let bindings = reflected.iter().map(|&i| &program.bindings()[i]);
     let slots: Vec<(u32, u32)> = bindings.map(|b| (b.group, b.binding)).collect();
-    let fail = |fail: build::Fail| ErrorKind::Unsupported {
-        backend: "cpu",
-        feature: fail.feature,
-        location: fail.span.and_then(|span| program.locate(span)),
-        remedy: "use buffers, 32-bit types and the constructs that docs/wgsl-support.md lists".into(),
+    // Some code that the front end makes has no place of its own; the entry point has one.
+    let mut places = module.entry_points[index].function.body.span_iter().filter_map(|(_, span)| program.locate(*span));
+    let start = places.next();
+    let fail = |fail: build::Fail| {
+        let location = fail.span.and_then(|span| program.locate(span)).or_else(|| start.clone());
+        match fail.reason {
+            build::Reason::Unsupported(feature) => {
+                let remedy = "use buffers, 32-bit types and the constructs that docs/wgsl-support.md lists".into();
+                ErrorKind::Unsupported { backend: "cpu", feature, location, remedy }
+            }
+            build::Reason::Limit(what, limit) => {
+                let what = format!("`{entry}` has more {what} than the interpreter is set to take");
+                let remedy = "split the kernel, or raise the limit in `Config::limits`".into();
+                ErrorKind::Limit { what, limit, location, remedy }
+            }
+        }
     };
-    let mut tree = build::Builder::build(&module, &info, index, &slots, options.count).map_err(fail)?;
+    let mut tree = build::Builder::build(&module, &info, index, &slots, options).map_err(fail)?;
     prune::dead(&mut tree);
     prune::sink(&mut tree);
     prune::dead(&mut tree);
@@ -64,15 +93,16 @@ pub(crate) fn lower(program: &Program, entry: &str, overrides: &[(String, f64)],
     let mergeable = !tree.has_barrier && tree.workgroup_words == 0 && lanes < MERGED_LANES;
     let flow = flow::Flow::new(&tree, mergeable);
     let linear = emit::emit(&tree, &flow);
+    let limit = |what: String, limit: u64, remedy: &str| {
+        Error::from(ErrorKind::Limit { what, limit, location: start.clone(), remedy: remedy.into() })
+    };
     if linear.slots > MAX_SLOTS {
-        let feature = format!("an entry point (`{entry}`) whose lanes part at more than {MAX_SLOTS} places at once");
-        let remedy = "nest control flow less deeply, calls included".into();
-        return Err(ErrorKind::Unsupported { backend: "cpu", feature, location: None, remedy }.into());
+        let what = format!("lanes of `{entry}` part at {} places at once", linear.slots);
+        return Err(limit(what, MAX_SLOTS as u64, "nest divergent control flow less deeply, calls included"));
     }
     assemble(&tree, linear, workgroup_size, mergeable).ok_or_else(|| {
-        let feature = format!("an entry point (`{entry}`) that keeps more than 32,767 values alive");
-        let remedy = "keep fewer values alive, or split the kernel".into();
-        ErrorKind::Unsupported { backend: "cpu", feature, location: None, remedy }.into()
+        let what = format!("`{entry}` keeps more values or constants alive than there are registers");
+        limit(what, 0x7fff, "keep fewer values alive, or split the kernel")
     })
 }
 

@@ -212,6 +212,7 @@ impl<'m> Builder<'m> {
 
     /// Stores every scalar of a place.
     pub(super) fn store(&mut self, place: &Place, values: &[Val], span: naga::Span) -> Result<(), Fail> {
+        self.spend(values.len() as u32)?;
         let mut leaves = Vec::new();
         self.leaves(place, &mut leaves)?;
         if let Root::Vars(base) = place.root {

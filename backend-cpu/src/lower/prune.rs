@@ -99,9 +99,8 @@ pub(super) fn sink(tree: &mut Tree) {
 
 fn sink_block(tree: &mut Tree, block: &mut Block, mut inits: Vec<(Var, Val)>) {
     let mut out = Vec::with_capacity(block.len());
-    let mut rest: Vec<Stmt> = std::mem::take(block);
-    rest.reverse();
-    while let Some(mut stmt) = rest.pop() {
+    let last = last_accesses(tree, block);
+    for (index, mut stmt) in std::mem::take(block).into_iter().enumerate() {
         if let Stmt::Init(var, val) = stmt {
             inits.push((var, val));
             continue;
@@ -115,9 +114,7 @@ fn sink_block(tree: &mut Tree, block: &mut Block, mut inits: Vec<(Var, Val)>) {
                     kept.push((var, val));
                 } else if matches!(stmt, Stmt::Set(..)) {
                     // Set before anything reads it: the initial value is never seen.
-                } else if matches!(stmt, Stmt::If { .. } | Stmt::Region { .. })
-                    && !rest.iter().any(|later| accesses(tree, later).contains(&var))
-                {
+                } else if matches!(stmt, Stmt::If { .. } | Stmt::Region { .. }) && last.get(&var) == Some(&index) {
                     inside.push((var, val));
                 } else {
                     out.push(Stmt::Init(var, val));
@@ -190,6 +187,15 @@ fn rename(tree: &mut Tree, block: &mut Block, names: &HashMap<Var, Var>) {
             _ => {}
         }
     }
+}
+
+/// For each variable of a block the last statement that accesses it.
+fn last_accesses(tree: &Tree, block: &Block) -> HashMap<Var, usize> {
+    let mut last = HashMap::new();
+    for (index, stmt) in block.iter().enumerate() {
+        last.extend(accesses(tree, stmt).into_iter().map(|var| (var, index)));
+    }
+    last
 }
 
 fn accesses(tree: &Tree, stmt: &Stmt) -> HashSet<Var> {

@@ -40,21 +40,22 @@ pub(super) fn intervals(
     loops: &[(u32, u32)],
 ) -> Vec<Option<Interval>> {
     let mut found: Vec<Option<Interval>> = vec![None; homes.len()];
-    let mut enclosing: Vec<Vec<(u32, u32)>> = vec![Vec::new(); insts.len()];
-    for &(from, to) in loops {
-        for list in &mut enclosing[from as usize..to as usize] {
-            list.push((from, to));
-        }
-    }
+    let mut outermost_first = loops.to_vec();
+    outermost_first.sort_by_key(|&(from, to)| (from, Reverse(to)));
+    let mut next = outermost_first.into_iter().peekable();
+    let mut open: Vec<(u32, u32)> = Vec::new();
     for (at, inst) in insts.iter().enumerate() {
+        open.retain(|&(_, to)| (at as u32) < to);
+        while let Some(begun) = next.next_if(|&(from, _)| from as usize <= at) {
+            open.push(begun);
+        }
         inst.registers(atomics, |register, _| {
             let home = homes[register.index as usize];
             let mut range = Interval { from: at as u32 + 1, to: at as u32 + 1 };
-            for &(from, to) in &enclosing[at] {
-                if from > home {
-                    range.from = range.from.min(from + 1);
-                    range.to = range.to.max(to);
-                }
+            // The outermost loop that does not hold the home holds all others.
+            if let Some(&(from, to)) = open.iter().find(|&&(from, _)| from > home) {
+                range.from = range.from.min(from + 1);
+                range.to = range.to.max(to);
             }
             let slot = &mut found[register.index as usize];
             *slot = Some(match *slot {

@@ -16,6 +16,7 @@ impl<'m> Builder<'m> {
 
     fn statements(&mut self, block: &'m Block, count: usize) -> Result<(), Fail> {
         for (statement, span) in block.span_iter().take(count) {
+            self.spend(1).map_err(|e| e.at(*span))?;
             self.statement(statement, *span).map_err(|e| e.at(*span))?;
             if matches!(statement, Statement::Return { .. } | Statement::Break | Statement::Continue) {
                 break;

@@ -8,11 +8,8 @@ use super::{MAX_STORAGE_BUFFERS, MAX_UNIFORM_BINDING, MAX_UNIFORM_BUFFERS, MAX_W
 use super::{groups, range};
 use crate::{Access, Binding, Dispatch, Entry, Error, Groups, Program, Result, Slot};
 
-/// A program's index, an entry point and the bits of its override values.
-pub(super) type Specialisation = (u32, String, Vec<(String, u64)>);
-
 impl Checker<'_> {
-    pub(super) fn dispatch(&mut self, dispatch: &Dispatch, context: &str) -> Result<()> {
+    pub(super) fn dispatch(&self, dispatch: &Dispatch, context: &str) -> Result<()> {
         let context = format!("{context} (dispatch)");
         let Some(program) = self.programs.get(dispatch.program.0 as usize) else {
             let count = self.programs.len();
@@ -25,13 +22,10 @@ impl Checker<'_> {
             let what = format!("{context}: no such entry point");
             return Err(Error::refused(what, format!("use one of `{known}`")));
         };
-        let bits = dispatch.overrides.iter().map(|(name, value)| (name.clone(), value.to_bits())).collect();
-        let key = (dispatch.program.0, dispatch.entry.clone(), bits);
-        if !self.entries.contains(&key) {
+        program.check_once(&dispatch.entry, &dispatch.overrides, || {
             interface(program, entry, &context)?;
-            workgroup(program, dispatch, &context)?;
-            self.entries.insert(key);
-        }
+            workgroup(program, dispatch, &context)
+        })?;
         groups(self.buffers, &dispatch.groups, &context)?;
         let bound = self.slots(program, entry, dispatch, &context)?;
         aliasing(&bound, &dispatch.groups, &context)
