@@ -25,6 +25,7 @@ pub mod permute;
 pub mod pieces;
 pub mod popcount;
 pub mod random;
+pub mod raster;
 pub mod row_span;
 pub mod sat;
 pub mod scan;
@@ -69,6 +70,7 @@ package! {
         light_sphere,
         line_mask,
         popcount,
+        raster,
         row_span,
         sat,
         scan,
@@ -104,7 +106,11 @@ package! {
         influence_region / tilted,
         line_mask / build,
         line_mask / differ,
-        line_mask / hough;
+        line_mask / hough,
+        raster / clip,
+        raster / fitting,
+        raster / small,
+        raster / wide;
 }
 
 /// Every kernel of the workspace, by name.

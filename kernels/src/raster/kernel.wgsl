@@ -1,0 +1,261 @@
+// Depth and item buffers of indexed triangles, instance by instance, in integers.
+//
+// Laine and Karras, "High-Performance Software Rasterization on GPUs" (HPG 2011), section 3, has the fixed-point pipeline; the
+// buffers are those that Engelhardt and Dachsbacher, "Granular Visibility Queries on the GPU" (I3D 2009), section 3, count
+// pixels in. docs/numerics.md, "The raster", states the outputs exactly, step by step, and why every path meets them.
+//
+// `clear` sets a buffer, bound as `depth`, to 2^32 - 1. `project` puts the vertices of all instances on the screen. `small` draws the
+// triangles of a few pixels, a lane each, and marks those that `large` draws: a workgroup each 256 triangles and band of rows,
+// one triangle after another, 256 pixels at a time. With ITEMS false both leave the least depth in `depth`; with ITEMS true,
+// once the depths of all meshes are known, they leave in `items` the least id of the triangles that have that depth. `points`
+// tells which projected points are not behind the depths of their pixels.
+
+import package::raster::clip::{clip_coordinate, cut, on_screen};
+import package::raster::fitting::draw_fitting;
+import package::raster::small::draw_small;
+import package::raster::wide::{draw_wide, turn64};
+import package::shared::raster::turn;
+import package::shared::wide::sgn64;
+
+/// Whether ids are written, and not depths.
+const ITEMS: bool = false;
+
+/// Sub-pixels that the extents of a small triangle stay below.
+const SMALL: i32 = 256;
+/// The same of one that fits 15 bits.
+const FITTING: i32 = 32768;
+
+struct Params {
+    width: u32,
+    height: u32,
+    /// Least divisor of the perspective division, at least 1.
+    near: i32,
+    /// Vertices, triangles and instances of the mesh.
+    vertices: u32,
+    triangles: u32,
+    instances: u32,
+    /// Bit 0: triangles of S > 0 are drawn, bit 1: those of S < 0.
+    faces: u32,
+    /// id = id_base + instance * id_step + (triangle >> id_shift).
+    id_base: u32,
+    id_step: u32,
+    id_shift: u32,
+    /// Rows of a band.
+    band: u32,
+    /// Added to the depth that a point is compared with.
+    bias: u32,
+    /// Number of the first workgroup.
+    first: u32,
+}
+
+@group(0) @binding(0) var<uniform> params: Params;
+/// Three coordinates a vertex.
+@group(0) @binding(1) var<storage, read> vertices: array<i32>;
+/// Three vertices a triangle.
+@group(0) @binding(2) var<storage, read> indices: array<u32>;
+/// The rows of X, Y, Z and W of every instance.
+@group(0) @binding(3) var<storage, read> rows: array<vec4<i32>>;
+/// Screen coordinates and depth of vertex `v` of instance `n` at `n * vertices + v`, and 1 if it is in front, else 0.
+@group(0) @binding(4) var<storage, read_write> projected: array<vec4<i32>>;
+@group(0) @binding(5) var<storage, read> screen: array<vec4<i32>>;
+/// A bit for every triangle of every instance: whether `large` draws it.
+@group(0) @binding(6) var<storage, read_write> marks: array<atomic<u32>>;
+@group(0) @binding(7) var<storage, read> marked: array<u32>;
+@group(0) @binding(8) var<storage, read_write> depth: array<atomic<u32>>;
+@group(0) @binding(9) var<storage, read_write> items: array<atomic<u32>>;
+/// A bit for every projected vertex.
+@group(0) @binding(10) var<storage, read_write> seen: array<atomic<u32>>;
+
+fn plot(place: u32, z: u32, id: u32) {
+    if (!ITEMS) {
+        atomicMin(&depth[place], z);
+    } else if (atomicLoad(&depth[place]) == z) {
+        atomicMin(&items[place], id);
+    }
+}
+
+@compute @workgroup_size(256)
+fn clear(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    let place = (params.first + group.x) * 256u + lane;
+    if (place < params.width * params.height) {
+        atomicStore(&depth[place], 0xffffffffu);
+    }
+}
+
+/// Clip coordinates of a vertex of an instance.
+fn clip_point(instance: u32, vertex: u32) -> vec4<i32> {
+    let v = vec3<i32>(vertices[3u * vertex], vertices[3u * vertex + 1u], vertices[3u * vertex + 2u]);
+    let row = 4u * instance;
+    return vec4<i32>(clip_coordinate(rows[row], v), clip_coordinate(rows[row + 1u], v),
+        clip_coordinate(rows[row + 2u], v), clip_coordinate(rows[row + 3u], v));
+}
+
+fn to_screen(p: vec4<i32>) -> vec3<i32> {
+    return on_screen(p, vec2<u32>(params.width, params.height), params.near);
+}
+
+@compute @workgroup_size(256)
+fn project(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    let number = (params.first + group.x) * 256u + lane;
+    if (number >= params.vertices * params.instances) {
+        return;
+    }
+    let instance = number / params.vertices;
+    let p = clip_point(instance, number - instance * params.vertices);
+    projected[number] = vec4<i32>(to_screen(p), select(0, 1, p.z >= 0));
+}
+
+/// The first and last pixel of the picture, from row `top` to row `bottom`, whose centres are in the box of a triangle.
+fn box_low(a: vec2<i32>, b: vec2<i32>, c: vec2<i32>, top: i32) -> vec2<i32> {
+    return max((min(min(a, b), c) + 7) >> vec2<u32>(4u), vec2<i32>(0, top));
+}
+
+fn box_high(a: vec2<i32>, b: vec2<i32>, c: vec2<i32>, bottom: i32) -> vec2<i32> {
+    return min((max(max(a, b), c) - 8) >> vec2<u32>(4u), vec2<i32>(bitcast<i32>(params.width) - 1, bottom));
+}
+
+/// Sides of the box of a triangle in sub-pixels.
+fn extents(a: vec2<i32>, b: vec2<i32>, c: vec2<i32>) -> vec2<i32> {
+    return max(max(a, b), c) - min(min(a, b), c);
+}
+
+fn id_of(instance: u32, triangle: u32) -> u32 {
+    return params.id_base + instance * params.id_step + (triangle >> params.id_shift);
+}
+
+/// Vertices of a triangle; those that the mesh does not have are answered by three equal ones, which draw nothing.
+fn corners(triangle: u32) -> vec3<u32> {
+    let at = 3u * triangle;
+    let v = vec3<u32>(indices[at], indices[at + 1u], indices[at + 2u]);
+    return select(v, vec3<u32>(0u), max(max(v.x, v.y), v.z) >= params.vertices);
+}
+
+@compute @workgroup_size(256)
+fn small(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    let number = (params.first + group.x) * 256u + lane;
+    if (number >= params.triangles * params.instances) {
+        return;
+    }
+    let instance = number / params.triangles;
+    let triangle = number - instance * params.triangles;
+    let v = corners(triangle) + instance * params.vertices;
+    let a = screen[v.x];
+    let b = screen[v.y];
+    let c = screen[v.z];
+    let front = a.w + b.w + c.w;
+    let low = box_low(a.xy, b.xy, c.xy, 0);
+    let high = box_high(a.xy, b.xy, c.xy, bitcast<i32>(params.height) - 1);
+    let size = high - low + 1;
+    if ((front == 0) | ((front == 3) & (min(size.x, size.y) <= 0))) {
+        return;
+    }
+    let sides = extents(a.xy, b.xy, c.xy);
+    if ((front == 3) & (max(sides.x, sides.y) < SMALL)) {
+        let s = turn(a.xy, b.xy, c.xy);
+        let id = id_of(instance, triangle);
+        if ((s > 0) & ((params.faces & 1u) != 0u)) {
+            draw_small(a.xyz, b.xyz, c.xyz, low, high, id);
+        }
+        if ((s < 0) & ((params.faces & 2u) != 0u)) {
+            draw_small(a.xyz, c.xyz, b.xyz, low, high, id);
+        }
+        return;
+    }
+    atomicOr(&marks[number / 32u], 1u << (number % 32u));
+}
+
+/// Draws the rows from `top` to `bottom` of a triangle.
+fn draw_large(a: vec3<i32>, b: vec3<i32>, c: vec3<i32>, top: i32, bottom: i32, lane: u32, id: u32) {
+    let low = box_low(a.xy, b.xy, c.xy, top);
+    let high = box_high(a.xy, b.xy, c.xy, bottom);
+    let s = sgn64(turn64(a.xy, b.xy, c.xy));
+    let faces = select(0u, 1u, s > 0) | select(0u, 2u, s < 0);
+    if ((low.x > high.x) | (low.y > high.y) | ((params.faces & faces) == 0u)) {
+        return;
+    }
+    let second = select(c, b, s > 0);
+    let third = select(b, c, s > 0);
+    let sides = extents(a.xy, b.xy, c.xy);
+    if (max(sides.x, sides.y) < FITTING) {
+        draw_fitting(a, second, third, low, high, lane, id);
+    } else {
+        draw_wide(a, second, third, low, high, lane, id);
+    }
+}
+
+/// What of a triangle is in front of the near plane: a fan of `triangles` triangles.
+struct Fan {
+    first: vec3<i32>,
+    second: vec3<i32>,
+    third: vec3<i32>,
+    fourth: vec3<i32>,
+    triangles: u32,
+}
+
+/// The fan of a triangle that crosses the near plane; `front` tells which vertices are in front.
+fn cut_triangle(instance: u32, corner: vec3<u32>, front: vec3<bool>) -> Fan {
+    // Turned so that the vertices in front come first.
+    let turned = select(select(corner, corner.yzx, !front.x & front.y), corner.zxy, front.z & !front.y);
+    let a = clip_point(instance, turned.x);
+    let b = clip_point(instance, turned.y);
+    let c = clip_point(instance, turned.z);
+    let last = to_screen(cut(a, c));
+    if (b.z < 0) {
+        return Fan(to_screen(a), to_screen(cut(a, b)), last, last, 1u);
+    }
+    return Fan(to_screen(a), to_screen(b), to_screen(cut(b, c)), last, 2u);
+}
+
+/// Draws the rows from `top` to `bottom` of a marked triangle.
+fn draw(number: u32, top: i32, bottom: i32, lane: u32) {
+    let instance = number / params.triangles;
+    let triangle = number - instance * params.triangles;
+    let corner = corners(triangle);
+    let v = corner + instance * params.vertices;
+    let a = screen[v.x];
+    let b = screen[v.y];
+    let c = screen[v.z];
+    let front = vec3<i32>(a.w, b.w, c.w) == vec3<i32>(1);
+    var fan = Fan(a.xyz, b.xyz, c.xyz, c.xyz, 1u);
+    if (!all(front)) {
+        fan = cut_triangle(instance, corner, front);
+    }
+    for (var i = 0u; i < fan.triangles; i += 1u) {
+        draw_large(fan.first, fan.second, fan.third, top, bottom, lane, id_of(instance, triangle));
+        fan.second = fan.third;
+        fan.third = fan.fourth;
+    }
+}
+
+@compute @workgroup_size(256)
+fn large(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    let first_word = (params.first + group.x) * 8u;
+    let end_word = min(first_word + 8u, (params.triangles * params.instances + 31u) / 32u);
+    let top = group.y * params.band;
+    let bottom = min(top + params.band, params.height) - 1u;
+    for (var word = first_word; word < end_word; word += 1u) {
+        var bits = marked[word];
+        while (bits != 0u) {
+            draw(32u * word + firstTrailingBit(bits), bitcast<i32>(top), bitcast<i32>(bottom), lane);
+            bits &= bits - 1u;
+        }
+    }
+}
+
+/// A point is seen iff it is in front and in the picture, and its depth is at most that of its pixel and the bias.
+@compute @workgroup_size(256)
+fn points(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    let number = (params.first + group.x) * 256u + lane;
+    if (number >= params.vertices * params.instances) {
+        return;
+    }
+    let p = screen[number];
+    let pixel = bitcast<vec2<u32>>(p.xy >> vec2<u32>(4u));
+    if ((p.w == 0) | (pixel.x >= params.width) | (pixel.y >= params.height)) {
+        return;
+    }
+    let least = bitcast<u32>(p.z) - min(bitcast<u32>(p.z), params.bias);
+    if (least <= atomicLoad(&depth[pixel.y * params.width + pixel.x])) {
+        atomicOr(&seen[number / 32u], 1u << (number % 32u));
+    }
+}
