@@ -3,6 +3,7 @@
 use sightlines_backend::{ErrorKind, Job, Result};
 use sightlines_kernels::item_histogram::{ItemHistogram, Order, Tiling};
 use sightlines_kernels::popcount::{Method, Popcount, Shape};
+use sightlines_kernels::raster::{self, Faces, Ids, Mesh, Picture, Placement, Raster, View};
 use sightlines_kernels::sat::{Extent, Sat};
 use sightlines_kernels::scan::{self, Kind, Scan};
 
@@ -79,4 +80,55 @@ fn histograms_whose_buffers_are_short() {
     refused(kernel.record_mips(&mut job, 2, 2, words).map(drop), "16 bins");
     refused(kernel.record_mips(&mut job, 9, 1, words).map(drop), "depth 9");
     assert!(job.recordings.is_empty(), "a refusal records nothing");
+}
+
+#[test]
+fn pictures_and_meshes_past_the_bit_budget_of_the_raster() {
+    let kernel = Raster::new().expect("it compiles");
+    let mut job = Job::new();
+    let pixels = job.zeroed::<u32>("pixels", 64);
+    for (width, height) in [(0, 4), (4, 0), (4097, 1), (1, 4097), (13, 5)] {
+        refused(kernel.record_clear(&mut job, Picture { width, height }, pixels), &format!("{width} by {height}"));
+    }
+    let picture = Picture { width: 8, height: 8 };
+    let mesh = Mesh {
+        vertices: job.zeroed("vertices", 9),
+        vertex_count: 3,
+        indices: job.zeroed("indices", 3),
+        triangle_count: 1,
+        rows: job.zeroed("rows", 4),
+        instance_count: 1,
+    };
+    for near in [0, 7, raster::CLIP + 1, -8] {
+        refused(kernel.project(&mut job, View { picture, near }, mesh).map(drop), &near.to_string());
+    }
+    let view = View { picture, near: 8 };
+    for (short, number) in [
+        (Mesh { vertex_count: 4, ..mesh }, "9 coordinates"),
+        (Mesh { triangle_count: 2, ..mesh }, "3 indices"),
+        (Mesh { instance_count: 2, ..mesh }, "4 rows"),
+        (Mesh { instance_count: 1 << 22, ..mesh }, "4194304 instances"),
+        (Mesh { instance_count: 1 << 31, ..mesh }, "2147483648 instances"),
+    ] {
+        refused(kernel.project(&mut job, view, short).map(drop), number);
+    }
+    assert!(job.recordings.is_empty(), "a refusal records nothing");
+    let projected = kernel.project(&mut job, view, mesh).expect("it is small");
+    let short = job.zeroed("pixels", 63);
+    refused(kernel.record_depth(&mut job, &projected, Faces::All, short), "63 words");
+    let ids = Ids { base: 0, step: 1, shift: 32 };
+    refused(kernel.record_items(&mut job, &projected, Faces::All, ids, [pixels, pixels]), "2^32");
+    let none = job.zeroed("seen", 0);
+    refused(kernel.record_points(&mut job, &projected, 0, pixels, none), "3 points");
+}
+
+#[test]
+fn placements_that_rows_cannot_hold() {
+    for (place, entry) in [(0, 16_384.0), (3, 536_870_912.0), (1, f64::NAN), (2, f64::NEG_INFINITY)] {
+        let mut matrix = [[0.0; 4]; 4];
+        matrix[1][place] = entry;
+        refused(Placement::new(matrix).map(drop), &entry.to_string());
+    }
+    let placement = Placement::new([[0.5, -1.0 / 65_536.0, 16_383.99, 7.5]; 4]).expect("within the bounds");
+    assert_eq!(placement.rows[2].to_array(), [32_768, -1, 1_073_741_169, 8]);
 }
