@@ -38,11 +38,11 @@ pub(super) fn all() -> Vec<Case> {
         small("instances", || camera(64, 1.0, 300, 4)),
         small("crossing_near", || room(64, 40.0)),
         small("behind", || camera(64, -1.0, 20, 1)),
-        small("bands", || family(Family::Anywhere, picture(2048, 192), 12)),
         small("two_meshes", two_meshes),
         small("past_the_budget", past_the_budget),
     ];
     cases.extend(Family::ALL.map(|f| small(&format!("family_{}", f.name()), move || family(f, picture(64, 64), 60))));
+    cases.push(case("bands", Size::Real, bands, [0, 2048 * 64, 1024 * 192 + 7]));
     cases.push(case("balls_500", Size::Real, balls, [1024 * 511 + 500, 1024 * 700 + 300]));
     cases.push(case("room_1024", Size::Real, || room(1024, 300.0), [0, 1024 * 512 + 512, 1024 * 1023 + 7]));
     cases.push(case("terrain_4096", Size::Real, terrain, [4096 * 2048 + 17, 4096 * 3000 + 4000]));
@@ -137,6 +137,11 @@ fn past_the_budget() -> Input {
     let first = scene.vertices.len() as u32 - 27;
     scene.triangles.extend((0..25).map(|i| [first + i, first + (i * 7 + 1) % 27, first + (i * 11 + 2) % 27]));
     Input { view: View { picture, near: 64 }, scenes: vec![scene], bias: u32::MAX }
+}
+
+/// More pixels than a workgroup takes of a triangle.
+fn bands() -> Input {
+    family(Family::Anywhere, picture(2048, 192), 12)
 }
 
 /// The paper's 500 instances of 606 triangles, at 1024².
