@@ -35,7 +35,7 @@ pub type Triangle = [Point; 3];
 pub struct Samples {
     /// x and y of sample (0, 0).
     pub origin: [i32; 2],
-    /// Distances along x and y, at least 1.
+    /// Distances along x and y, from 1 to 2^15 - 1.
     pub step: [i32; 2],
     /// Samples along x: a power of two up to 32.
     pub columns: u32,
@@ -48,7 +48,7 @@ pub struct Samples {
 pub struct Receivers {
     /// x and y of receiver (0, 0).
     pub origin: [i32; 2],
-    /// Distances along x and y, at least 1.
+    /// Distances along x and y, from 1 to 2^15 - 1.
     pub step: [i32; 2],
     /// z of all receivers.
     pub height: i32,
@@ -133,7 +133,7 @@ impl View {
 }
 
 fn refuse(what: String) -> Result<()> {
-    let remedy = "keep x and y in [-16384, 16384) and z in [0, 32768), steps at least 1, columns and rows of samples \
+    let remedy = "keep x and y in [-16384, 16384) and z in [0, 32768), steps from 1 to 32767, columns and rows of samples \
                   powers of two up to 32 that make whole words";
     Err(Error::refused(what, remedy))
 }
@@ -176,7 +176,7 @@ impl Samples {
 
     /// Refuses what is not on the grid.
     pub fn check(&self) -> Result<()> {
-        let steps = self.step.iter().all(|s| *s > 0);
+        let steps = self.step.iter().all(|s| (1..Z).contains(s));
         let sizes = [self.columns, self.rows].iter().all(|n| n.is_power_of_two() && *n <= 32);
         if !(steps
             && sizes
@@ -203,7 +203,7 @@ impl Receivers {
 
     /// Refuses what is not on the grid.
     pub fn check(&self) -> Result<()> {
-        let steps = self.step.iter().all(|s| *s > 0);
+        let steps = self.step.iter().all(|s| (1..Z).contains(s));
         let sizes = (1..=8192).contains(&self.columns) && (1..=8192).contains(&self.rows);
         let high = (1..Z).contains(&self.height);
         if !(steps && sizes && high && inside(self.origin, self.step, self.columns, self.rows)) {
@@ -343,6 +343,15 @@ mod tests {
         let lattice = Lattice::from(&receivers);
         assert_eq!((lattice.count(), lattice.normal()), (12, [0, 0, 15]));
         assert!((0..12).all(|receiver| lattice.at(receiver) == receivers.at(receiver)));
+    }
+
+    #[test]
+    fn a_step_that_no_receiver_takes_is_held_to_the_grid_too() {
+        let one = Receivers { origin: [0, 0], step: [1, Z - 1], height: 9, columns: 1, rows: 1 };
+        one.check().expect("a step of 2^15 - 1");
+        assert!(Receivers { step: [1, Z], ..one }.check().is_err());
+        let light = Samples { origin: [0, 0], step: [Z, 1], columns: 1, rows: 32 };
+        assert!(light.check().is_err());
     }
 
     #[test]

@@ -173,7 +173,7 @@ fn checked_light_size(place: Place, size: f64) -> Result<f64> {
     }
     let remedy =
         format!("choose a number above 0, at most {MAX_LIGHT_SIZE}: it is the light's side over the scene's radius");
-    Err(place.error(format!("{size} is out of range"), remedy))
+    Err(place.error(format!("{size:?} is out of range"), remedy))
 }
 
 fn checked_resolution(place: Place, resolution: u32) -> Result<u32> {
@@ -215,6 +215,10 @@ fn check_rect(place: &Place, rect: &Rect) -> Result<()> {
 /// Refuses a light that does not face the receiver, or that has nothing of the scene between them.
 fn check_light(place: &Place, light: &Rect, receiver: &Rect, scene: &Scene) -> Result<()> {
     let bad = |what: &str, remedy: &str| Err(place.clone().error(what, remedy));
+    let [low, high] = heights(receiver, corners(light));
+    if low <= 0.0 && high >= 0.0 {
+        return bad("the light is inside the receiver's plane", "move the light away from the receiver");
+    }
     let [nearest, farthest] = heights(light, corners(receiver));
     if farthest <= 0.0 {
         return bad("the receiver is behind the light", "swap the light's `u` and `v`: it shines along u × v");
@@ -224,10 +228,6 @@ fn check_light(place: &Place, light: &Rect, receiver: &Rect, scene: &Scene) -> R
             "the receiver crosses the plane of the light",
             "move or turn the light so that it sees all of the receiver",
         );
-    }
-    let [low, high] = heights(receiver, corners(light));
-    if low <= 0.0 && high >= 0.0 {
-        return bad("the light is inside the receiver's plane", "move the light away from the receiver");
     }
     let vertices = scene.parts.iter().flat_map(|part| part.vertices.iter().copied());
     let [lowest, highest] = heights(receiver, vertices.clone());

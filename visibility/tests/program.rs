@@ -50,6 +50,9 @@ fn bad_command_lines_and_bad_input_end_with_2() {
     let folder = Folder::new();
     folder.put("good.obj", TRIANGLE);
     folder.put("empty.obj", "");
+    folder.put("cut.glb", "glTF\u{2}\0\0\0\0\0\u{1}\0\u{10}\0\0\0JSON{\"asset\":{}");
+    folder.put("other.glb", "PK\u{3}\u{4}");
+    folder.put("nan.obj", "v 0 0 0\nv 1 0 0\nv 0 1 nan\nf 1 2 3\n");
     folder.put("broken.obj", "v 0 0 0\nf 1 2 3\n");
     folder.put("broken.toml", "generator = \"box\"\nsamples = 5\n");
     for (line, expected) in [
@@ -65,7 +68,13 @@ fn bad_command_lines_and_bad_input_end_with_2() {
         ("shadows good.obj --resolution 0", "resolution: 0 texels a side are out of range"),
         ("shadows good.obj --resolution 8193", "resolution: 8193 texels"),
         ("shadows good.obj --samples 1000", "samples: 1000 samples cannot be baked"),
-        ("shadows good.obj --light-size -1", "light size: -1 is out of range"),
+        ("shadows good.obj --light-size -1", "light size: -1.0 is out of range"),
+        ("shadows good.obj --light-size 1e300", "light size: 1e300 is out of range"),
+        ("shadows good.obj --light-size 1e-9", "enlarge the light"),
+        ("shadows good.obj --resolution -3", "invalid value '-3'"),
+        ("shadows cut.glb", "cut.glb: it is cut off: its header says 65536 bytes, and it has 31"),
+        ("shadows other.glb", "other.glb: it is no GLB"),
+        ("shadows nan.obj", "vertex 3: the coordinates (0.0, 1.0, NaN) are not finite"),
         ("shadows good.obj --light-size nan", "light size: NaN is out of range"),
         ("shadows good.obj --up x", "invalid value 'x'"),
         ("shadows good.obj -o good.obj", "good.obj: the file is read, or is the target of another result"),
@@ -78,7 +87,8 @@ fn bad_command_lines_and_bad_input_end_with_2() {
         assert_eq!(output.status.code(), Some(2), "{line}: {message}");
         assert!(message.contains(expected), "{line}: {message}");
     }
-    assert_eq!(folder.names(), ["broken.obj", "broken.toml", "empty.obj", "good.obj"], "nothing was written");
+    let left = ["broken.obj", "broken.toml", "cut.glb", "empty.obj", "good.obj", "nan.obj", "other.glb"];
+    assert_eq!(folder.names(), left, "nothing was written");
 }
 
 #[test]
@@ -91,6 +101,20 @@ fn a_target_that_cannot_be_written_ends_with_1_before_any_work() {
         assert!(message.contains("cannot be written"), "{message}");
     }
     assert_eq!(folder.names(), [""; 0]);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_device_that_never_ends_is_not_read() {
+    let message = Folder::new().fails("shadows /dev/zero", 2);
+    assert!(message.contains("/dev/zero: neither a file nor a link to one"), "{message}");
+}
+
+#[test]
+fn one_texel_is_baked_too() {
+    let folder = Folder::new();
+    assert!(folder.run("shadows --scene box --backend cpu --resolution 1 -o a.png").status.success());
+    assert_eq!(greys(&folder.0.path().join("a.png")), (1, vec![0]));
 }
 
 #[test]

@@ -73,10 +73,10 @@ pub(crate) struct ShadowsArgs {
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     pub(crate) light_size: Option<f64>,
     /// Texels a side of the receiver [default: 512].
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub(crate) resolution: Option<u32>,
     /// Samples of the light: 32, 64, 128, 256, 512 or 1024 [default: 1024].
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub(crate) samples: Option<u32>,
     /// The axis that points up [default: y].
     #[arg(long, value_enum)]

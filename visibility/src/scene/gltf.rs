@@ -41,6 +41,10 @@ fn parse(path: &Path, bytes: &[u8]) -> Result<(Document, Option<Vec<u8>>)> {
     if bytes.starts_with(b"glTF") && length < 20 {
         return Err(place().error("its header is cut off", REMEDY));
     }
+    if bytes.starts_with(b"glTF") && u64::from(length) > bytes.len() as u64 {
+        let what = format!("it is cut off: its header says {length} bytes, and it has {}", bytes.len());
+        return Err(place().error(what, "copy the file again, or export the scene again"));
+    }
     let text = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     let parsed = gltf::Gltf::from_slice_without_validation(text).map_err(|e| match e {
         gltf::Error::Deserialize(e) if e.line() > 0 && !bytes.starts_with(b"glTF") => {

@@ -37,7 +37,12 @@ pub fn load(path: &Path) -> Result<Scene> {
 /// A file's bytes, if there are not too many.
 pub(super) fn read(path: &Path) -> Result<Vec<u8>> {
     let failed = |source| Error::read(path, source);
-    let size = fs::metadata(path).map_err(failed)?.len();
+    let found = fs::metadata(path).map_err(failed)?;
+    if !found.is_file() && !found.is_dir() {
+        // A device may never end.
+        return Err(Place::file(path).error("neither a file nor a link to one", "copy its contents to a file"));
+    }
+    let size = found.len();
     if size > MAX_FILE_BYTES {
         let what = format!("{size} bytes, at most {MAX_FILE_BYTES} are read");
         return Err(Place::file(path).error(what, "simplify the mesh, or split it"));
@@ -60,7 +65,8 @@ fn format(path: &Path, bytes: &[u8]) -> Result<Format> {
     }
     match path.extension().and_then(OsStr::to_str).map(str::to_ascii_lowercase).as_deref() {
         Some("obj") => Ok(Format::Obj),
-        Some("gltf" | "glb") => Ok(Format::Gltf),
+        Some("gltf") => Ok(Format::Gltf),
+        Some("glb") => Err(Place::file(path).error("it is no GLB, which begins with `glTF`", "export the scene again")),
         Some("ply") => Ok(Format::Ply),
         _ => Err(Place::file(path).error("neither OBJ, glTF nor PLY", "export the mesh in one of these formats")),
     }

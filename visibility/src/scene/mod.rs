@@ -133,7 +133,11 @@ impl fmt::Display for Bounds {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         // The shortest digits of f32 are enough to look at.
         let [a, b] = [self.min, self.max].map(|corner| corner.map(|c| c as f32));
-        write!(f, "({}, {}, {}) to ({}, {}, {}), radius {}", a[0], a[1], a[2], b[0], b[1], b[2], self.radius as f32)
+        write!(
+            f,
+            "({:?}, {:?}, {:?}) to ({:?}, {:?}, {:?}), radius {:?}",
+            a[0], a[1], a[2], b[0], b[1], b[2], self.radius as f32
+        )
     }
 }
 
@@ -151,11 +155,11 @@ fn check_part(part: &Mesh, path: &Path) -> Result<()> {
     for (index, vertex) in part.vertices.iter().enumerate() {
         let [x, y, z] = vertex;
         if vertex.iter().any(|c| !c.is_finite()) {
-            let what = format!("the coordinates ({x}, {y}, {z}) are not finite");
+            let what = format!("the coordinates ({x:?}, {y:?}, {z:?}) are not finite");
             return Err(place("vertex", index).error(what, "repair the mesh where it was made, and export it again"));
         }
         if vertex.iter().any(|c| c.abs() > MAX_COORDINATE) {
-            let what = format!("the coordinates ({x}, {y}, {z}) are beyond {MAX_COORDINATE:e}");
+            let what = format!("the coordinates ({x:?}, {y:?}, {z:?}) are beyond {MAX_COORDINATE:e}");
             return Err(place("vertex", index).error(what, "choose larger units, or move the mesh to the origin"));
         }
     }

@@ -124,7 +124,7 @@ pub fn snap(request: &Request) -> Result<Snapped> {
     };
     let triangles: Vec<[Vector; 3]> =
         request.triangles.iter().map(|t| t.map(|p| frame.point(p))).filter(relevant).collect();
-    let fit = Fit::new(&axes, lows, highs, height, &triangles)?;
+    let fit = Fit::new(&axes, *resolution, [lows, highs], height, &triangles)?;
     fit.scene(request, &axes, sides, height, &triangles)
 }
 
@@ -139,21 +139,28 @@ struct Fit {
 }
 
 impl Fit {
-    fn new(axes: &[Axis; 2], lows: [f64; 2], highs: [f64; 2], height: f64, triangles: &[[Vector; 3]]) -> Result<Self> {
+    fn new(
+        axes: &[Axis; 2],
+        resolution: u32,
+        [lows, highs]: [[f64; 2]; 2],
+        height: f64,
+        triangles: &[[Vector; 3]],
+    ) -> Result<Self> {
         let points = || triangles.iter().flatten();
         let low: [f64; 2] = std::array::from_fn(|i| points().fold(lows[i], |m, p| m.min(p[i])));
         let high: [f64; 2] = std::array::from_fn(|i| points().fold(highs[i], |m, p| m.max(p[i])));
         let deep = points().fold(height, |m, p| m.max(p[2]));
         // Two cells are left for rounding at either end.
         let cell = ((high[0] - low[0]).max(high[1] - low[1]) / f64::from(2 * XY - 4)).max(deep / f64::from(Z - 2));
-        let steps = (axes[0].pitch / cell).floor();
-        if !(1.0..f64::from(XY)).contains(&steps) {
+        // A single texel has no neighbour that whole cells must reach.
+        let steps = if resolution == 1 { 1.0 } else { (axes[0].pitch / cell).floor() };
+        if steps < 1.0 {
             let what = format!("a scene of {:.6} by {:.6} by {deep:.6} units", high[0] - low[0], high[1] - low[1]);
             let what =
                 format!("{what} has cells of {cell:.6} units on the grid, and texels are {:.6} apart", axes[0].pitch);
             return refuse(what, "lower the resolution, or bring receiver, light and casters closer together");
         }
-        let cell = axes[0].pitch / steps;
+        let cell = if resolution == 1 { cell } else { axes[0].pitch / steps };
         let anchor = [axes[0].first, axes[1].first];
         let middle: [f64; 2] = std::array::from_fn(|i| (low[i] + high[i]) / 2.0);
         let at = std::array::from_fn(|i| ((anchor[i] - middle[i]) / cell).round() as i32);
@@ -178,12 +185,18 @@ impl Fit {
     ) -> Result<Snapped> {
         let whole = |length: f64| ((length / self.cell).round() as i32).max(1);
         let (columns, rows) = shape(request.samples);
-        let step = [whole(sides[0] / f64::from(columns)), whole(sides[1] / f64::from(rows))];
+        let apart = [sides[0] / f64::from(columns), sides[1] / f64::from(rows)];
+        if apart.iter().any(|apart| apart / self.cell < 0.5) {
+            let [x, y] = apart;
+            let what = format!("light samples {x:.3e} by {y:.3e} units apart, and cells of {:.3e} units", self.cell);
+            return refuse(what, "enlarge the light, take fewer samples, or bring receiver and casters closer to it");
+        }
+        let step = apart.map(whole);
         let first = |i: usize, count: u32| self.xy(i, sides[i] / 2.0) - step[i] * (count as i32 - 1) / 2;
         let samples = Samples { origin: [first(0, columns), first(1, rows)], step, columns, rows };
         let receivers = Receivers {
             origin: self.at,
-            step: [self.step, whole(axes[1].pitch)],
+            step: [self.step, if request.resolution == 1 { 1 } else { whole(axes[1].pitch) }],
             height: whole(height),
             columns: request.resolution,
             rows: request.resolution,
@@ -253,6 +266,32 @@ mod tests {
             let floor = 2 * r.origin[axis] + 511 * r.step[axis];
             assert!((light - floor).abs() <= 2, "{light} and {floor}");
         }
+    }
+
+    #[test]
+    fn one_texel_and_two_fit_the_grid_too() {
+        let casts = [[0.0, 1.0, 0.0], [0.1, 1.0, 0.0], [0.0, 1.0, 0.1]];
+        let snapped = |resolution, v| {
+            let receiver = Rect { v, ..request(vec![]).receiver };
+            snap(&Request { resolution, receiver, ..request(vec![casts]) }).unwrap()
+        };
+        assert_eq!(snapped(1, [0.0, 0.0, -4.0]).receivers.step, [1, 1]);
+        assert_eq!(snapped(1, [0.0, 0.0, -40.0]).receivers.step, [1, 1]);
+        let two = snapped(2, [0.0, 0.0, -4.0]);
+        assert_eq!((two.receivers.step, two.between.len()), ([21844, 21844], 1));
+        let last = two.receivers.at(3);
+        assert_eq!([last[0] - two.receivers.origin[0], last[1] - two.receivers.origin[1]], [21844; 2]);
+    }
+
+    #[test]
+    fn a_light_smaller_than_the_grid_can_show_is_refused() {
+        let small = |side: f64| {
+            let light = Rect { u: [side, 0.0, 0.0], ..request(vec![]).light };
+            snap(&Request { light, ..request(vec![]) })
+        };
+        let message = small(1e-6).unwrap_err().to_string();
+        assert!(message.contains("3.125e-8 by") && message.contains("enlarge the light"), "{message}");
+        assert_eq!(small(0.02).unwrap().samples.step[0], 5);
     }
 
     #[test]

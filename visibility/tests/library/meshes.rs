@@ -65,8 +65,11 @@ fn what_is_not_a_shape_is_refused() {
         ("", "there is no triangle in it"),
         ("v 0 0 0\nv 1 0 0\nl 1 2\nf\nf 1 2\n", "there is no triangle in it"),
         ("v 1 2 3\nf 1 1 1\n", "all its vertices coincide"),
-        ("v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n", "vertex 2: the coordinates (1, NaN, 0) are not finite"),
-        ("o cloud\nv 0 0 0\nv 1 0 0\nv 0 -inf 0\nf 1 2 3\n", "mesh `cloud`, vertex 3: the coordinates (0, -inf, 0)"),
+        ("v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n", "vertex 2: the coordinates (1.0, NaN, 0.0) are not finite"),
+        (
+            "o cloud\nv 0 0 0\nv 1 0 0\nv 0 -inf 0\nf 1 2 3\n",
+            "mesh `cloud`, vertex 3: the coordinates (0.0, -inf, 0.0)",
+        ),
         ("v 0 0 0\nv 1 0 0\nv 0 1e400 0\nf 1 2 3\n", "are not finite"),
         ("v 0 0 0\nv 1 0 0\nv 0 2e12 0\nf 1 2 3\n", "are beyond 1e12"),
         ("v 1e11 0 0\nv 1e11 0 1\nv 1e11 1 0\nf 1 2 3\n", "and it is 1e11 from the origin"),
@@ -129,7 +132,7 @@ fn ply_coordinates_that_are_not_finite_are_refused() {
     let last = bytes.len() - 13;
     bytes[last - 4..last].copy_from_slice(&f32::NAN.to_le_bytes());
     let message = refusal(load_bytes("mesh.ply", bytes), "mesh.ply");
-    assert!(message.contains("mesh, vertex 3: the coordinates (0, 0, NaN) are not finite"), "{message}");
+    assert!(message.contains("mesh, vertex 3: the coordinates (0.0, 0.0, NaN) are not finite"), "{message}");
 }
 
 #[test]

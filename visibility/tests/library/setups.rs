@@ -151,7 +151,7 @@ fn broken_scene_files_are_refused_with_their_line() {
         ("u = [8.0, 0.0, 0.0]", "u = [inf, 0.0, 0.0]", "a.toml:15: receiver: a coordinate is not finite"),
         ("u = [8.0, 0.0, 0.0]", "u = [0.0, 0.0, 0.0]", "a.toml:15: receiver: a side has no length"),
         ("v = [0.0, 0.0, 2.0]", "v = [0.0, 0.0, -2.0]", "a.toml:5: light: the receiver is behind the light"),
-        ("corner = [-1.0, 6.0, -1.0]", "corner = [-1.0, 0.0, -1.0]", "the receiver is behind the light"),
+        ("corner = [-1.0, 6.0, -1.0]", "corner = [-1.0, 0.0, -1.0]", "the light is inside the receiver's plane"),
         ("v = [0.0, 0.0, 2.0]", "v = [0.0, 2.0, 0.1]", "a.toml:5: light: the receiver crosses the plane of the light"),
         ("corner = [3.0, 6.0, -1.0]", "corner = [3.0, 0.2, -1.0]", "a.toml:10: light: the whole scene is behind"),
         ("corner = [-4.0, 0.0, -4.0]", "corner = [-4.0, 2.0, -4.0]", "the light is behind the receiver"),
