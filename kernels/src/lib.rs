@@ -16,6 +16,7 @@ pub mod backprojection;
 pub mod exact;
 pub mod grid;
 pub mod half_planes;
+pub mod illumination;
 pub mod influence_region;
 pub mod item_histogram;
 pub mod light_sphere;
@@ -65,6 +66,7 @@ package! {
         backprojection,
         exact,
         half_planes,
+        illumination,
         influence_region,
         item_histogram,
         light_sphere,

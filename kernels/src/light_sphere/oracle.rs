@@ -1,5 +1,7 @@
 //! The definition: every lattice point of the octahedron, sorted as the numbering says; and a rotation in wide integers.
 
+use crate::exact::oracle::angle::normalize3_q15;
+
 /// A direction.
 pub type Direction = [i32; 3];
 
@@ -47,15 +49,9 @@ pub fn octahedron(s: u32) -> Vec<(Direction, i32)> {
 
 /// `direction` at length 2^15, rounded towards 0, turned by rows in units of 2^-14 and rounded down.
 pub fn turned(direction: Direction, rows: [[i32; 3]; 3]) -> Direction {
-    let square: i128 = direction.iter().map(|&c| i128::from(c) * i128::from(c)).sum();
-    let unit = direction.map(|c| {
-        // The greatest u with u <= |c| 2^15 / |d|, that is u² |d|² <= c² 2^30.
-        let limit = (i128::from(c) * i128::from(c)) << 30;
-        let root = (limit / square).isqrt();
-        root * i128::from(c.signum())
-    });
+    let unit = normalize3_q15(direction);
     rows.map(|row| {
-        let sum: i128 = row.iter().zip(unit).map(|(&r, u)| i128::from(r) * u).sum();
+        let sum: i64 = row.iter().zip(unit).map(|(&r, u)| i64::from(r) * i64::from(u)).sum();
         (sum >> 14) as i32
     })
 }

@@ -17,7 +17,7 @@ pub(super) fn all() -> Vec<Case> {
         small("anywhere", || (soup(150, 3, 16_384, 300), level(2)), 0),
         small("small_and_near", || (soup(200, 4, 24, 300), level(2)), 0),
         small("ties_of_a_lattice", || (on_lattice(120, 5, 3, 4096), level(3)), 0),
-        small("ties_of_a_fine_lattice", || (on_lattice(150, 6, 8, 1), level(3)), 0),
+        small("ties_of_a_fine_lattice", || (on_lattice(150, 6, 8, 1), level(2)), 0),
         small("corners_of_the_grid", || (corners(100, 7), level(2)), 0),
         small("coplanar", || (coplanar(), level(2)), 0),
         small("box_edge_on", || (walls(), level(3)), 0),

@@ -41,7 +41,7 @@ host! {
 
 impl Frame {
     /// The frame of pair number `pair`, whose first direction is given, over a box.
-    pub(super) fn new(pair: u32, first: Direction, [low, high]: [Point; 2], column_bits: u32, row_bits: u32) -> Self {
+    pub fn new(pair: u32, first: Direction, [low, high]: [Point; 2], column_bits: u32, row_bits: u32) -> Self {
         let longest = (0..3).max_by_key(|&axis| first[axis].abs()).unwrap_or(2);
         let flip = first[longest] < 0;
         let d = if flip { first.map(|c| -c) } else { first };

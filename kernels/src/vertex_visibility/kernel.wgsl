@@ -76,6 +76,8 @@ struct Frame {
 @group(0) @binding(7) var<storage, read> ends: array<u32>;
 @group(0) @binding(8) var<storage, read> points: array<vec4<i32>>;
 @group(0) @binding(9) var<storage, read_write> occluded: array<atomic<u32>>;
+/// Numbers of all first corners, then of all second and third ones.
+@group(0) @binding(10) var<storage, read> numbers: array<u32>;
 
 var<workgroup> large: array<atomic<u32>, 2>;
 
@@ -258,6 +260,12 @@ fn exact_side(frame: Frame, triangle: u32, vertex: u32) -> i32 {
     return select(select(0, -1, backward), 1, forward);
 }
 
+/// Whether a vertex is a corner of a triangle, which then cannot hide it: most doubts are of this kind.
+fn is_corner(triangle: u32, vertex: u32) -> bool {
+    let n = params.triangles;
+    return (vertex == numbers[triangle]) | (vertex == numbers[n + triangle]) | (vertex == numbers[2u * n + triangle]);
+}
+
 /// float: filter - what `slack`, `low` and `high` leave in doubt is decided by `exact_side`
 fn test(frame: Frame, face: Face, triangle: u32, at: u32) {
     let p = points[at];
@@ -271,7 +279,10 @@ fn test(frame: Frame, face: Face, triangle: u32, at: u32) {
     if ((inner > 0.0 - face.slack) & (distance > face.low)) {
         var side = select(-1, 1, ahead > 0.0);
         if (!((inner > face.slack) & (distance > face.high))) {
-            side = exact_side(frame, triangle, bitcast<u32>(p.w));
+            side = 0;
+            if (!is_corner(triangle, bitcast<u32>(p.w))) {
+                side = exact_side(frame, triangle, bitcast<u32>(p.w));
+            }
         }
         if (side != 0) {
             let second = select(1u, 0u, side > 0) ^ frame.flip;

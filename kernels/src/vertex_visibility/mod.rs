@@ -43,8 +43,8 @@ const TRIANGLES: u32 = 64;
 /// Most pairs of directions at a time: they fill a word.
 const BATCH: u32 = 16;
 
-/// Columns for each row of bins, as a logarithm: a triangle visits whole columns, row by row.
-const COLUMNS_PER_ROW: u32 = 2;
+/// Columns for each row of bins, as a logarithm: more rows cost time for each triangle, more columns only memory.
+const COLUMNS_PER_ROW: u32 = 1;
 
 /// Farthest bias: the size of the grid.
 pub const MAX_BIAS: u32 = 1 << 15;
@@ -100,6 +100,7 @@ bindings! {
         read ends @ 7: [u32],
         read points @ 8: [IVec4],
         write occluded @ 9: [u32],
+        read numbers @ 10: [u32],
     }
 }
 
@@ -108,6 +109,7 @@ bindings! {
 pub struct Resident {
     vertices: Buffer<[i32]>,
     corners: Buffer<[i32]>,
+    numbers: Buffer<[u32]>,
     counts: [u32; 2],
     bounds: [oracle::Point; 2],
     coverage: f64,
@@ -126,9 +128,11 @@ impl Resident {
         let or_zero = |words: Vec<i32>| if words.is_empty() { vec![0] } else { words };
         let vertices = or_zero(axes(&mesh.vertices));
         let corners = or_zero((0..3).flat_map(|k| axes(&corner(k))).collect());
+        let numbers: Vec<u32> = (0..3).flat_map(|k| mesh.triangles.iter().map(move |t| t[k])).collect();
         Ok(Resident {
             vertices: job.slice("vertices", &vertices),
             corners: job.slice("corners", &corners),
+            numbers: job.slice("corner numbers", if numbers.is_empty() { &[0] } else { &numbers[..] }),
             counts: [mesh.vertices.len() as u32, mesh.triangles.len() as u32],
             bounds: mesh.bounds(),
             coverage: mesh.coverage(),
@@ -163,7 +167,7 @@ struct Plan {
 impl Plan {
     fn new(mesh: &Resident, bias: u32) -> Self {
         let [vertices, triangles] = mesh.counts;
-        let row_bits = vertices.max(4).ilog2() / 2;
+        let row_bits = vertices.max(4).ilog2() / 2 + 1;
         let bin_bits = 2 * row_bits + COLUMNS_PER_ROW;
         let most = (MAX_VERTICES / vertices.max(1)).min((1 << 25) >> bin_bits).clamp(1, BATCH);
         // Boxes are larger where the view is oblique: twice the average over the axes.
@@ -256,7 +260,8 @@ impl VertexVisibility {
             let groups = plan.triangles.div_ceil(TRIANGLES).max(1);
             pieces::record(job, batch * groups, plan.work, |job, piece| {
                 let params = job.value("occlude params", &plan.params(pair, groups, piece.start));
-                let bound = Occlude { params, frames, vertices, corners: mesh.corners, ends, points, occluded };
+                let Resident { corners, numbers, .. } = *mesh;
+                let bound = Occlude { params, frames, vertices, corners, ends, points, occluded, numbers };
                 job.launch(program, "occlude", &bound, [piece.len() as u32, 1, 1]);
             });
         }

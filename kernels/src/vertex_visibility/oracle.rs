@@ -42,8 +42,8 @@ fn side(v: Point, d: Wide, p: Point, q: Point) -> i128 {
 /// Whether `triangle` occludes the vertex `v` towards `direction`.
 pub fn occludes(v: Point, direction: Direction, [a, b, c]: [Point; 3], bias: u32) -> bool {
     let d = direction.map(i128::from);
-    let sides = [side(v, d, a, b), side(v, d, b, c), side(v, d, c, a)];
-    if [a, b, c].contains(&v) || sides[0] == 0 || sides != [sides[0]; 3] {
+    let first = side(v, d, a, b);
+    if [a, b, c].contains(&v) || first == 0 || side(v, d, b, c) != first || side(v, d, c, a) != first {
         return false;
     }
     // t = n · (a − V) / n · d.
