@@ -4,4 +4,4 @@
 use libfuzzer_sys::fuzz_target;
 use sightlines_testing::fuzz;
 
-fuzz_target!(|bytes: &[u8]| fuzz::execute(bytes));
+fuzz_target!(|bytes: &[u8]| drop(fuzz::execute(bytes)));

@@ -3,6 +3,37 @@
 use super::random::Random;
 use super::types::{BOOL, F32, I32, Scalar, Type, U32};
 
+const FLOAT_FUNCTIONS: [&str; 20] = [
+    "sqrt",
+    "inverseSqrt",
+    "sin",
+    "cos",
+    "tan",
+    "asin",
+    "acos",
+    "atan",
+    "sinh",
+    "cosh",
+    "tanh",
+    "asinh",
+    "acosh",
+    "atanh",
+    "exp",
+    "exp2",
+    "log",
+    "log2",
+    "degrees",
+    "radians",
+];
+
+const PACKED: [[&str; 2]; 5] = [
+    ["pack4x8snorm", "vec4<f32>"],
+    ["pack4x8unorm", "vec4<f32>"],
+    ["pack2x16snorm", "vec2<f32>"],
+    ["pack2x16unorm", "vec2<f32>"],
+    ["pack2x16float", "vec2<f32>"],
+];
+
 const COMMON: [&str; 5] = ["(lane + 1u)", "(own * 3u)", "(params[0].x + lane)", "input[lane]", "input[own + 1u]"];
 
 /// A variable in scope.
@@ -20,6 +51,8 @@ pub(crate) struct Scope<'r> {
     pub variables: Vec<Variable>,
     /// Expressions that read shared memory in the present phase, all u32.
     pub shared: Vec<&'static str>,
+    /// Whether programs may run on for ever, race, and meet barriers in divergent control flow.
+    pub wild: bool,
 }
 
 impl Scope<'_> {
@@ -221,7 +254,11 @@ impl Scope<'_> {
                 let vector = Type::Vector(2 + self.random.below(3), scalar);
                 format!("dot({}, {})", self.expression(&vector, d), self.expression(&vector, d))
             }
-            (3, Scalar::U32) => format!("bits({})", self.expression(&F32, d)),
+            (3, Scalar::U32) => match self.random.below(4) {
+                0 => self.packed(d),
+                1 => format!("u32(frexp({}).exp)", self.finite(d)),
+                _ => format!("bits({})", self.expression(&F32, d)),
+            },
             (3, Scalar::I32) => format!("bitcast<i32>({})", self.expression(&U32, d)),
             _ => self.elementwise(&ty, scalar, d),
         }
@@ -229,7 +266,19 @@ impl Scope<'_> {
 
     fn float_of_vectors(&mut self, d: usize) -> String {
         let vector = Type::Vector(2 + self.random.below(3), Scalar::F32);
-        match self.random.below(4) {
+        match self.random.below(8) {
+            4 => format!("modf({}).{}", self.expression(&F32, d), self.random.pick(&["fract", "whole"])),
+            5 => format!("frexp({}).fract", self.finite(d)),
+            6 => {
+                let (fun, n) = *self.random.pick(&[
+                    ("unpack4x8snorm", 4),
+                    ("unpack4x8unorm", 4),
+                    ("unpack2x16snorm", 2),
+                    ("unpack2x16unorm", 2),
+                    ("unpack2x16float", 2),
+                ]);
+                format!("{fun}({})[{}]", self.expression(&U32, d), self.random.below(n))
+            }
             0 => format!("length({})", self.expression(&vector, d)),
             1 => format!("distance({}, {})", self.expression(&vector, d), self.expression(&vector, d)),
             2 => {
@@ -238,6 +287,19 @@ impl Scope<'_> {
             }
             _ => format!("dot({}, {})", self.expression(&vector, d), self.expression(&vector, d)),
         }
+    }
+
+    /// A packed vector of finite numbers, so that no payload of a NaN shows.
+    fn packed(&mut self, d: usize) -> String {
+        let [fun, ty] = *self.random.pick(&PACKED);
+        let n = if ty == "vec4<f32>" { 4 } else { 2 };
+        let parts: Vec<String> = (0..n).map(|_| self.finite(d)).collect();
+        format!("{fun}({ty}({}))", parts.join(", "))
+    }
+
+    /// A finite f32.
+    fn finite(&mut self, d: usize) -> String {
+        format!("f32(i32({}))", self.expression(&F32, d))
     }
 
     /// Operators and functions that work on scalars and, component by component, on vectors.
@@ -314,10 +376,7 @@ impl Scope<'_> {
                     *self.random.pick(&["floor", "ceil", "trunc", "round", "fract", "abs", "-", "sign", "saturate"]);
                 format!("{fun}({x})")
             }
-            6 => {
-                let fun = *self.random.pick(&["sqrt", "inverseSqrt", "sin", "exp2", "log2", "atan", "tanh", "degrees"]);
-                format!("{fun}({x})")
-            }
+            6 => format!("{}({x})", self.random.pick(&FLOAT_FUNCTIONS)),
             7 => {
                 let fun = *self.random.pick(&["min", "max", "step", "pow", "atan2"]);
                 format!("{fun}({x}, {})", self.expression(ty, d))
@@ -358,6 +417,7 @@ impl Scope<'_> {
                 let matrix = self.expression(&Type::Matrix(columns, n), d);
                 format!("(({matrix}) * ({}))", self.expression(&Type::Vector(columns, Scalar::F32), d))
             }
+            4 if scalar == Scalar::F32 && self.random.chance(50) => self.geometric(n, d),
             4 => {
                 let condition = Type::Vector(n, Scalar::Bool);
                 let (no, yes) = (self.expression(&ty, d), self.operand(&ty, d));
@@ -367,6 +427,19 @@ impl Scope<'_> {
                 format!("(({}) * ({}))", self.expression(&ty, d), self.expression(&Type::Scalar(scalar), d))
             }
             _ => self.elementwise(&ty, scalar, d),
+        }
+    }
+
+    /// Functions of whole vectors.
+    fn geometric(&mut self, n: usize, d: usize) -> String {
+        let ty = Type::Vector(n, Scalar::F32);
+        let [a, b, c] = [0, 1, 2].map(|_| self.expression(&ty, d.min(1)));
+        match self.random.below(5) {
+            0 if n == 3 => format!("cross({a}, {b})"),
+            0 | 1 => format!("normalize({a})"),
+            2 => format!("reflect({a}, {b})"),
+            3 => format!("faceForward({a}, {b}, {c})"),
+            _ => format!("refract({a}, {b}, {})", self.expression(&F32, d.min(1))),
         }
     }
 

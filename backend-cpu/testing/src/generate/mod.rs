@@ -8,6 +8,8 @@
 //!   "read by all" at barriers in uniform control flow; shared atomics do one commutative operation, results unused.
 //! * *Exact*: the payload of a NaN is never observed.
 //!
+//! A *wild* program keeps the first and the last of these promises only.
+//!
 //! Choices come from bytes: a fuzzer's, or those that a seed stands for. The same bytes always make the same program.
 
 mod expression;
@@ -17,6 +19,6 @@ mod shrink;
 mod statement;
 mod types;
 
-pub use program::{Generated, generate};
+pub use program::{Generated, generate, generate_wild};
 pub use random::seeded;
 pub use shrink::shrink;

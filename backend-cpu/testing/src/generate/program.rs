@@ -9,6 +9,8 @@ use super::types::{Scalar, Type, U32};
 
 /// Words of `out` that an invocation owns.
 const OUTPUTS: usize = 8;
+/// Words of `records` for an invocation: no less than a structure of four members takes.
+const RECORD_WORDS: usize = 64;
 /// Elements of the shared atomic arrays.
 const CELLS: usize = 8;
 
@@ -38,13 +40,25 @@ impl Generated {
 
 /// The program that `bytes` choose; the same bytes make the same program.
 pub fn generate(bytes: &[u8]) -> Generated {
+    make(bytes, false)
+}
+
+/// A program that may run on for ever, race, and meet barriers in divergent control flow.
+pub fn generate_wild(bytes: &[u8]) -> Generated {
+    make(bytes, true)
+}
+
+fn make(bytes: &[u8], wild: bool) -> Generated {
     let mut random = Random::new(bytes);
     let mut structs: Vec<Vec<Type>> = Vec::new();
     for index in 0..1 + random.below(3) {
         let members = 1 + random.below(4);
         structs.push((0..members).map(|_| Type::any(&mut random, index)).collect());
     }
-    let mut scope = Scope { random, structs, variables: Vec::new(), shared: Vec::new() };
+    // The last structure is that of the buffer `records`.
+    let members = 1 + random.below(4);
+    structs.push((0..members).map(|_| Type::shareable(&mut random)).collect());
+    let mut scope = Scope { random, structs, variables: Vec::new(), shared: Vec::new(), wild };
     let (mut functions, mut callees) = (Vec::new(), Vec::new());
     for index in 0..scope.random.below(4) {
         let (function, callee) = function(&mut scope, index, &callees);
@@ -71,7 +85,8 @@ fn launch(random: &mut Random<'_>) -> [[u32; 3]; 2] {
 
 fn base_variables() -> Vec<Variable> {
     let read = |name: &str| Variable { name: name.to_owned(), ty: U32, writable: false };
-    vec![read("lane"), read("own")]
+    let ids = ["local_", "global_"].map(|name| Variable { ty: Type::Vector(3, Scalar::U32), ..read(name) });
+    [read("lane"), read("own")].into_iter().chain(ids).collect()
 }
 
 fn function(scope: &mut Scope<'_>, index: usize, callees: &[Callee]) -> ((String, Vec<Statement>), Callee) {
@@ -154,8 +169,10 @@ fn entry(scope: &mut Scope<'_>, callees: &[Callee], shape: [u32; 3]) -> ((String
     let width = shape.iter().product::<u32>();
     scope.variables = base_variables();
     scope.variables.push(Variable { name: "hidden".to_owned(), ty: Type::Array(Box::new(U32), 3), writable: true });
+    let record = Type::Struct(scope.structs.len() - 1);
+    scope.variables.push(Variable { name: "records[own]".to_owned(), ty: record, writable: true });
     let mut statements = vec![Statement::line(
-        "lane_ = lane; own_ = (group.x + groups.x * (group.y + groups.y * group.z)) * WIDTH + lane; let own = own_;"
+        "lane_ = lane; local_ = local; global_ = global; own_ = (group.x + groups.x * (group.y + groups.y * group.z)) * WIDTH + lane; let own = own_;"
             .to_owned(),
     )];
     for at in 0..2 + scope.random.below(5) {
@@ -208,6 +225,15 @@ fn entry(scope: &mut Scope<'_>, callees: &[Callee], shape: [u32; 3]) -> ((String
         }
         if !last {
             statements.push(Statement::line("workgroupBarrier();".to_owned()));
+            if scope.random.chance(30) {
+                let index = scope.random.below(width as usize);
+                let load = *scope.random.pick(&[
+                    "hidden[2] ^= workgroupUniformLoad(&ring[$]);",
+                    "hidden[2] ^= workgroupUniformLoad(&tally[$]);",
+                    "storageBarrier(); hidden[2] += pond[$]; workgroupBarrier();",
+                ]);
+                statements.push(Statement::line(load.replace('$', &index.to_string())));
+            }
         }
     }
     scope.shared.clear();
@@ -219,6 +245,7 @@ fn entry(scope: &mut Scope<'_>, callees: &[Callee], shape: [u32; 3]) -> ((String
     }
     let signature = format!(
         "@compute @workgroup_size({}, {}, {})\nfn main(\n    @builtin(local_invocation_index) lane: u32,\n    \
+         @builtin(local_invocation_id) local: vec3<u32>,\n    @builtin(global_invocation_id) global: vec3<u32>,\n    \
          @builtin(workgroup_id) group: vec3<u32>,\n    @builtin(num_workgroups) groups: vec3<u32>,\n)",
         shape[0], shape[1], shape[2]
     );
@@ -229,6 +256,7 @@ fn head(scope: &mut Scope<'_>, shape: [u32; 3], groups: [u32; 3]) -> String {
     let width = shape.iter().product::<u32>();
     let invocations = width * groups.iter().product::<u32>();
     let mut words = |n: usize| (0..n).map(|_| scope.random.word().to_string()).collect::<Vec<_>>().join(" ");
+    let record = scope.structs.len() - 1;
     let (input, params, cells) = (words(64), words(16), words(CELLS));
     let mut head = format!(
         "//! buffer 0: u32 {input}\n\
@@ -237,6 +265,7 @@ fn head(scope: &mut Scope<'_>, shape: [u32; 3], groups: [u32; 3]) -> String {
          //! buffer 3: u32 {cells}\n\
          //! buffer 4: u32 {cells}\n\
          //! buffer 5: zero {invocations}\n\
+         //! buffer 6: zero {}\n\
          //! dispatch: main {} {} {}\n\n\
          const WIDTH = {width}u;\n\
          @group(0) @binding(0) var<storage, read> input: array<u32>;\n\
@@ -245,14 +274,18 @@ fn head(scope: &mut Scope<'_>, shape: [u32; 3], groups: [u32; 3]) -> String {
          @group(0) @binding(3) var<storage, read_write> cells: array<atomic<u32>, {CELLS}>;\n\
          @group(0) @binding(4) var<storage, read_write> signed_cells: array<atomic<i32>, {CELLS}>;\n\
          @group(0) @binding(5) var<storage, read_write> mine: array<atomic<u32>>;\n\
+         @group(0) @binding(6) var<storage, read_write> records: array<S{record}>;\n\
          var<workgroup> ring: array<u32, {width}>;\n\
          var<workgroup> pond: array<u32, {width}>;\n\
          var<workgroup> tally: array<atomic<u32>, {width}>;\n\
          var<private> lane_: u32;\n\
          var<private> own_: u32;\n\
+         var<private> local_: vec3<u32>;\n\
+         var<private> global_: vec3<u32>;\n\
          var<private> hidden: array<u32, 3>;\n\n\
          fn bits(x: f32) -> u32 {{ return select(bitcast<u32>(x), 0x7fc00000u, x != x); }}\n",
         invocations as usize * OUTPUTS,
+        invocations as usize * RECORD_WORDS,
         groups[0],
         groups[1],
         groups[2],

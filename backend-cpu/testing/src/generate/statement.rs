@@ -128,6 +128,7 @@ impl Body<'_, '_> {
                 vec![Statement::block("{".to_owned(), body)]
             }
             7 | 8 => self.call(),
+            13 if self.scope.wild && self.outputs.is_some() => vec![self.reckless()],
             9 | 10 => vec![self.declare()],
             11 if self.outputs.is_some() => vec![self.output()],
             12 if !self.atomics.is_empty() => vec![self.atomic()],
@@ -185,6 +186,18 @@ impl Body<'_, '_> {
         let value = if ty == F32 { format!("bits({value})") } else { format!("u32({value})") };
         let op = *self.scope.random.pick(&["=", "=", "+=", "^="]);
         Statement::line(format!("out[own * {words}u + ({index}) % {words}u] {op} {value};"))
+    }
+
+    /// What only a wild program does: a race, or a barrier that not all may reach.
+    fn reckless(&mut self) -> Statement {
+        let (index, value) = (self.scope.expression(&U32, 2), self.scope.expression(&U32, 2));
+        Statement::line(match self.scope.random.below(5) {
+            0 => format!("if (out[{index}] ^ {}u) % 3u == 0u {{ workgroupBarrier(); }}", self.scope.random.below(3)),
+            1 => format!("ring[{index}] ^= {value};"),
+            2 => format!("pond[{index}] = {value};"),
+            3 => format!("out[{index}] = out[{value}];"),
+            _ => format!("hidden[1] = atomicAdd(&tally[{index}], {value});"),
+        })
     }
 
     /// One of the operations that the phase allows, its operand filled in for `$`.
@@ -265,6 +278,11 @@ impl Body<'_, '_> {
         };
         self.times *= trips;
         let jumps = Jumps { breaks: true, continues: true };
+        if self.scope.wild && self.scope.random.chance(25) {
+            let body = self.block(depth, jumps);
+            self.times /= trips;
+            return vec![Statement::block(format!("while {} {{", self.condition()), body)];
+        }
         self.scope.variables.push(Variable { name: counter.clone(), ty: U32, writable: false });
         let statements = match self.scope.random.below(4) {
             0 | 1 => {

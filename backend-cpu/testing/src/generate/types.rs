@@ -60,6 +60,17 @@ impl Type {
         }
     }
 
+    /// A type that a buffer may hold: without bool, which none may, and without f32, whose NaN would show there.
+    pub(crate) fn shareable(random: &mut Random<'_>) -> Type {
+        let scalar = *random.pick(&[Scalar::I32, Scalar::U32]);
+        let vector = Type::Vector(2 + random.below(3), scalar);
+        match random.below(4) {
+            0 | 1 => Type::Scalar(scalar),
+            2 => vector,
+            _ => Type::Array(Box::new(vector), 1 + random.below(3)),
+        }
+    }
+
     /// Any type: an array or a structure one time in three.
     pub(crate) fn any(random: &mut Random<'_>, structs: usize) -> Type {
         match random.below(6) {
