@@ -1,0 +1,120 @@
+//! What the interpreter does where WGSL leaves a choice that other machines take differently: order, races, traps.
+//!
+//! Choices that show on one value have their lines in `tests/ops`; docs/wgsl-support.md lists all of them.
+
+use sightlines_backend::{Backend, Command, ErrorKind, Job, Linked, Program, Read, Session};
+use sightlines_backend_cpu::{Bounds, Config, CpuBackend, Simd};
+
+/// One buffer of words, `main` on it once for each entry of `groups`; the first error, and the words at the end.
+fn run(config: Config, words: &[u32], groups: &[u32], text: &str) -> (Option<ErrorKind>, Vec<u32>) {
+    let text = format!("@group(0) @binding(0) var<storage, read_write> data: array<u32>;\n{text}");
+    let linked = Linked::single("freedom.wgsl", &text).unwrap_or_else(|e| panic!("{e}"));
+    let program = Program::unlinted("freedom", linked).unwrap_or_else(|e| panic!("{e}"));
+    let mut job = Job::new();
+    let id = job.program(&program);
+    let buffer = job.upload("data", words);
+    groups.iter().for_each(|&n| job.dispatch(id, "main", &[(0, buffer)], [n, 1, 1]));
+    job.read("data", buffer);
+    let backend = CpuBackend::new(config);
+    let mut session = backend.open(&job.programs, &job.buffers).unwrap_or_else(|e| panic!("{e}"));
+    let error = session.submit(&job.recordings[0]).err();
+    let kind = error.map(|e| match e.kind() {
+        ErrorKind::Trap(trap) => ErrorKind::Trap(trap.clone()),
+        other => panic!("{other}"),
+    });
+    (kind, read(session.as_mut(), &job.reads[0]))
+}
+
+fn read(session: &mut dyn Session, read: &Read) -> Vec<u32> {
+    let bytes = session.read(read).unwrap_or_else(|e| panic!("{e}"));
+    bytes.as_chunks().0.iter().map(|bytes| u32::from_le_bytes(*bytes)).collect()
+}
+
+/// One thread, every SIMD level, several numbers of lanes.
+fn settings(bounds: Bounds) -> impl Iterator<Item = Config> {
+    let lanes = [None, Some(16), Some(64), Some(256)];
+    let each =
+        move |simd| lanes.map(|lanes| Config { threads: 1, simd: Some(simd), lanes, bounds, ..Config::default() });
+    Simd::available().into_iter().flat_map(each)
+}
+
+#[test]
+fn atomics_of_a_gang_happen_in_the_order_of_invocations() {
+    let text = "@compute @workgroup_size(70) fn main(@builtin(global_invocation_id) id: vec3u) {
+        data[id.x + 1u] = atomicAdd(&count, 1u);
+    }
+    var<workgroup> count: atomic<u32>;";
+    let expected: Vec<u32> = [0].into_iter().chain((0..3).flat_map(|_| 0..70)).collect();
+    for config in settings(Bounds::Clamp) {
+        assert_eq!(run(config, &[0; 211], &[3], text).1, expected, "{config:?}");
+    }
+}
+
+#[test]
+fn of_racing_stores_the_last_invocation_wins_on_one_thread() {
+    let text = "@compute @workgroup_size(20) fn main(@builtin(global_invocation_id) id: vec3u) {
+        if id.x % 7u != 3u { data[id.x % 2u] = id.x; }
+    }";
+    for config in settings(Bounds::Clamp) {
+        assert_eq!(run(config, &[0; 2], &[3], text).1, [58, 57], "{config:?}");
+    }
+}
+
+#[test]
+fn a_trap_keeps_what_was_written_before_it() {
+    // The second workgroup stops at its own line: the first has run, the third has not, nor has the second dispatch. The
+    // access that traps is itself done as with `Bounds::Clamp`: the last word.
+    let text = "@compute @workgroup_size(64) fn main(@builtin(global_invocation_id) id: vec3u) {
+        workgroupBarrier();
+        data[id.x] = data[id.x] + 1u;
+        if id.x >= 64u { data[id.x + 1000u] = 7u; }
+        data[id.x] = data[id.x] + 10u;
+    }";
+    let expected: Vec<u32> = (0..191).map(|i| [11, 1, 0][i / 64]).chain([7]).collect();
+    for config in settings(Bounds::Trap) {
+        let (error, words) = run(config, &[0; 192], &[3, 1], text);
+        let Some(ErrorKind::Trap(trap)) = error else { panic!("{config:?}: no trap") };
+        assert_eq!((trap.location.map(|at| at.line), trap.invocation), (Some(5), Some([64, 0, 0])), "{config:?}");
+        assert_eq!(words, expected, "{config:?}");
+    }
+}
+
+#[test]
+fn fuel_and_barriers_keep_what_was_written_before_them() {
+    let endless = "@compute @workgroup_size(16) fn main(@builtin(local_invocation_index) i: u32) {
+        data[i] = 5u; loop { data[i] += 1u; if data[i] == 0u { break; } }
+    }";
+    let parted = "@compute @workgroup_size(16) fn main(@builtin(local_invocation_index) i: u32) {
+        data[i] = 5u; if data[i + 16u] == 0u { workgroupBarrier(); } data[i] = 6u;
+    }";
+    let words: Vec<u32> = (0..32).map(|i| u32::from(i == 20)).collect();
+    for config in settings(Bounds::Clamp) {
+        let (error, after) = run(Config { fuel: 99, ..config }, &words, &[1], endless);
+        assert!(matches!(error, Some(ErrorKind::Trap(_))) && after[..16] == [105; 16], "{config:?}: {after:?}");
+        let (error, after) = run(config, &words, &[1], parted);
+        assert!(matches!(error, Some(ErrorKind::Trap(_))) && after[..16] == [5; 16], "{config:?}: {after:?}");
+    }
+}
+
+#[test]
+fn a_session_goes_on_after_a_trap() {
+    let text = "@group(0) @binding(0) var<storage, read_write> data: array<u32>;
+        @compute @workgroup_size(1) fn main() { data[data[0]] = 9u; }";
+    let program = Program::unlinted("t", Linked::single("t.wgsl", text).expect("links")).expect("compiles");
+    let mut job = Job::new();
+    let id = job.program(&program);
+    let buffer = job.upload("data", &[7u32, 0]);
+    job.dispatch(id, "main", &[(0, buffer)], [1, 1, 1]);
+    job.read("data", buffer);
+    let backend = CpuBackend::new(Config { threads: 1, bounds: Bounds::Trap, ..Config::default() });
+    let mut session = backend.open(&job.programs, &job.buffers).expect("opens");
+    assert!(session.submit(&job.recordings[0]).is_err());
+    assert_eq!(read(session.as_mut(), &job.reads[0]), [7, 9]);
+    for command in &mut job.recordings[0].commands {
+        if let Command::Upload { bytes, .. } = command {
+            bytes[0] = 1;
+        }
+    }
+    session.submit(&job.recordings[0]).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(read(session.as_mut(), &job.reads[0]), [1, 9]);
+}
