@@ -5,9 +5,13 @@
 use sightlines_backend::{Backend, Command, ErrorKind, Job, Linked, Program, Read, Session};
 use sightlines_backend_cpu::{Bounds, Config, CpuBackend, Simd};
 
-/// One buffer of words, `main` on it once for each entry of `groups`; the first error, and the words at the end.
+/// The buffer `data` of words, `main` on it once for each entry of `groups`; the first error, and the words at the end.
 fn run(config: Config, words: &[u32], groups: &[u32], text: &str) -> (Option<ErrorKind>, Vec<u32>) {
-    let text = format!("@group(0) @binding(0) var<storage, read_write> data: array<u32>;\n{text}");
+    run_on("array<u32>", config, words, groups, text)
+}
+
+fn run_on(ty: &str, config: Config, words: &[u32], groups: &[u32], text: &str) -> (Option<ErrorKind>, Vec<u32>) {
+    let text = format!("@group(0) @binding(0) var<storage, read_write> data: {ty};\n{text}");
     let linked = Linked::single("freedom.wgsl", &text).unwrap_or_else(|e| panic!("{e}"));
     let program = Program::unlinted("freedom", linked).unwrap_or_else(|e| panic!("{e}"));
     let mut job = Job::new();
@@ -57,6 +61,17 @@ fn of_racing_stores_the_last_invocation_wins_on_one_thread() {
     }";
     for config in settings(Bounds::Clamp) {
         assert_eq!(run(config, &[0; 2], &[3], text).1, [58, 57], "{config:?}");
+    }
+}
+
+#[test]
+fn a_store_to_a_component_leaves_the_others_alone() {
+    let text = "@compute @workgroup_size(12) fn main(@builtin(local_invocation_index) i: u32) {
+        data[i / 3u][i % 3u] = i / 3u + 10u * (i % 3u);
+    }";
+    let expected: Vec<u32> = (0..4).flat_map(|i| [i, 10 + i, 20 + i, 7]).collect();
+    for config in settings(Bounds::Clamp) {
+        assert_eq!(run_on("array<vec3<u32>, 4>", config, &[7; 16], &[1], text).1, expected, "{config:?}");
     }
 }
 
