@@ -359,6 +359,26 @@ impl<'m> Builder<'m> {
         Ok(std::mem::replace(&mut self.block, outer))
     }
 
+    /// Builds into the open block, and takes all of it back unless `f` says that it stands.
+    pub(super) fn attempt(&mut self, f: impl FnOnce(&mut Self) -> Result<bool, Fail>) -> Result<bool, Fail> {
+        let (statements, sets, pending) = (self.block.len(), self.sets.len(), self.pending);
+        self.known.push(Known::default());
+        self.scopes.push(HashMap::new());
+        let stands = f(self);
+        let (known, numbered) = (self.known.pop(), self.scopes.pop());
+        if !stands? {
+            self.block.truncate(statements);
+            self.sets.truncate(sets);
+            self.pending = pending;
+            return Ok(false);
+        }
+        known.into_iter().flat_map(|known| known.values).for_each(|(var, val)| self.learn(var, val));
+        if let Some(scope) = self.scopes.last_mut() {
+            scope.extend(numbered.into_iter().flatten());
+        }
+        Ok(true)
+    }
+
     /// Whether one more block or call stands within the limit of nesting.
     fn enter(&self) -> Result<(), Fail> {
         let limit = self.options.limits.depth;

@@ -17,6 +17,7 @@ mod regs;
 mod scan;
 mod stmt;
 mod tree;
+mod unroll;
 
 use std::collections::HashMap;
 
@@ -86,6 +87,7 @@ fn lower_here(program: &Program, entry: &str, overrides: &[(String, f64)], optio
     };
     let mut tree = build::Builder::build(&module, &info, index, &slots, options).map_err(fail)?;
     prune::dead(&mut tree);
+    prune::tails(&mut tree);
     prune::sink(&mut tree);
     prune::dead(&mut tree);
     let workgroup_size = module.entry_points[index].workgroup_size;

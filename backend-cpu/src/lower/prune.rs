@@ -80,6 +80,42 @@ fn sweep(block: Block, vals: &HashSet<Val>, vars: &HashSet<Var>) -> Block {
         .collect()
 }
 
+/// Removes leaving a construct where that is where control goes anyway.
+pub(super) fn tails(tree: &mut Tree) {
+    tail(&mut tree.body, &[]);
+}
+
+/// `ends` are the constructs whose end, or continuing block, follows this block.
+fn tail(block: &mut Block, ends: &[Stmt]) {
+    let falls = |stmt: &Stmt, ends: &[Stmt]| match stmt {
+        Stmt::Break(target) => ends.iter().any(|end| matches!(end, Stmt::Break(at) if at == target)),
+        Stmt::Continue(target) => ends.iter().any(|end| matches!(end, Stmt::Continue(at) if at == target)),
+        _ => false,
+    };
+    while block.last().is_some_and(|stmt| falls(stmt, ends)) {
+        block.pop();
+    }
+    let last = block.len().wrapping_sub(1);
+    for (index, stmt) in block.iter_mut().enumerate() {
+        let mut inner = if index == last { ends.to_vec() } else { Vec::new() };
+        match stmt {
+            Stmt::If { accept, reject, .. } => {
+                tail(accept, &inner);
+                tail(reject, &inner);
+            }
+            Stmt::Region { id, body } => {
+                inner.push(Stmt::Break(*id));
+                tail(body, &inner);
+            }
+            Stmt::Loop { id, body, continuing, .. } => {
+                tail(body, &[Stmt::Continue(*id)]);
+                tail(continuing, &[]);
+            }
+            _ => {}
+        }
+    }
+}
+
 /// The blocks directly inside a statement.
 pub(super) fn inner_blocks(stmt: &Stmt) -> Vec<&Block> {
     match stmt {

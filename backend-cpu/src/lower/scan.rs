@@ -149,3 +149,22 @@ pub(super) fn breaks_early(body: &[Statement]) -> bool {
         found
     })
 }
+
+/// Statements up to the `if … {} else { break }` that begins each round of a loop whose rounds are otherwise straight:
+/// nothing else leaves, nothing repeats and nothing is called. `None` for every other loop.
+pub(super) fn straight_loop(body: &Block, continuing: &Block) -> Option<usize> {
+    let header = body.iter().position(|statement| !matches!(statement, Statement::Emit(_)))?;
+    let Statement::If { accept, reject, .. } = &body[header] else { return None };
+    let breaks = matches!(reject[..], [Statement::Break]);
+    let is_parting = |s: &Statement| {
+        use Statement::{Break, Call, Continue, Kill, Loop, Return, Switch};
+        matches!(s, Break | Call { .. } | Continue | Kill | Loop { .. } | Return { .. } | Switch { .. })
+    };
+    let rest = body[header + 1..].iter().chain(continuing.iter());
+    let parts = rest.into_iter().any(|statement| {
+        let mut found = is_parting(statement);
+        for_each_block(statement, &mut |inner| found |= has(inner, &is_parting, &|_| true));
+        found
+    });
+    (accept.is_empty() && breaks && !parts).then_some(header)
+}

@@ -1,5 +1,7 @@
 //! Statements: control flow to constructs, calls inlined, effects in order.
 
+use std::ops::Range;
+
 use naga::{AtomicFunction, Block, Expression, Handle, ScalarKind, Statement, SwitchValue, TypeInner};
 
 use super::build::{Builder, Fail, Target, Value};
@@ -11,11 +13,11 @@ use crate::code::{AtomicOp, BinOp, Mem};
 impl<'m> Builder<'m> {
     /// Builds the statements of a block into the block that is open.
     pub(super) fn block(&mut self, block: &'m Block) -> Result<(), Fail> {
-        self.statements(block, block.len())
+        self.statements(block, 0..block.len())
     }
 
-    fn statements(&mut self, block: &'m Block, count: usize) -> Result<(), Fail> {
-        for (statement, span) in block.span_iter().take(count) {
+    pub(super) fn statements(&mut self, block: &'m Block, range: Range<usize>) -> Result<(), Fail> {
+        for (statement, span) in block.span_iter().take(range.end).skip(range.start) {
             self.spend(1).map_err(|e| e.at(*span))?;
             self.statement(statement, *span).map_err(|e| e.at(*span))?;
             if matches!(statement, Statement::Return { .. } | Statement::Break | Statement::Continue) {
@@ -35,6 +37,9 @@ impl<'m> Builder<'m> {
             Statement::Block(block) => self.block(block)?,
             Statement::If { condition, accept, reject } => {
                 let cond = self.word(*condition)?;
+                if let Some(word) = self.tree.constant(cond) {
+                    return self.block(if word != 0 { accept } else { reject });
+                }
                 self.flush();
                 let id = self.construct();
                 let accept = self.nested(|b| b.block(accept))?;
@@ -140,6 +145,9 @@ impl<'m> Builder<'m> {
         break_if: Option<Handle<Expression>>,
         span: naga::Span,
     ) -> Result<(), Fail> {
+        if break_if.is_none() && self.unroll(body, continuing)? {
+            return Ok(());
+        }
         self.flush();
         let site = self.site(span);
         let id = self.construct();
@@ -200,7 +208,7 @@ impl<'m> Builder<'m> {
         let is_default = |values: &[SwitchValue]| values.contains(&SwitchValue::Default);
         let Some(index) = groups.iter().position(|(values, ..)| !is_default(values)) else {
             return match groups.first() {
-                Some((_, body, count)) => self.statements(body, *count),
+                Some((_, body, count)) => self.statements(body, 0..*count),
                 None => Ok(()),
             };
         };
@@ -218,7 +226,7 @@ impl<'m> Builder<'m> {
         }
         let rest: Vec<_> = groups.iter().enumerate().filter(|(i, _)| *i != index).map(|(_, g)| g.clone()).collect();
         let id = self.construct();
-        let accept = self.nested(|b| b.statements(body, *count))?;
+        let accept = self.nested(|b| b.statements(body, 0..*count))?;
         let reject = self.nested(|b| b.chain(selector, &rest))?;
         self.push(Stmt::If { id, cond, accept, reject });
         Ok(())
