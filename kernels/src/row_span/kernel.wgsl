@@ -100,34 +100,26 @@ fn edge(p: vec3<i32>, q: vec3<i32>, x0: i32, ry: i32) -> Edge {
     return Edge(vec4<f32>(x1 - y1 * slope + 0.5, c1 - y1 * turn, slope, turn), size);
 }
 
+/// Vertex 0, 1 or 2.
+fn pick(a: vec3<i32>, b: vec3<i32>, c: vec3<i32>, number: u32) -> vec3<i32> {
+    return select(select(a, b, number == 1u), c, number == 2u);
+}
+
 /// float: filter - 2^-18 of the size is twice the error of a crossing
 fn prepare(slot: u32, triangle: u32, x0: i32, ry: i32) {
-    var low = vertex(triangle, 0u);
-    var middle = vertex(triangle, 1u);
-    var high = vertex(triangle, 2u);
-    var rows = vec3<u32>(first_row(low, ry), first_row(middle, ry), first_row(high, ry));
-    var order = vec3<u32>(0u, 1u, 2u);
-    if (rows.x > rows.y) {
-        let v = low;
-        low = middle;
-        middle = v;
-        rows = rows.yxz;
-        order = order.yxz;
-    }
-    if (rows.y > rows.z) {
-        let v = middle;
-        middle = high;
-        high = v;
-        rows = rows.xzy;
-        order = order.xzy;
-    }
-    if (rows.x > rows.y) {
-        let v = low;
-        low = middle;
-        middle = v;
-        rows = rows.yxz;
-        order = order.yxz;
-    }
+    let a = vertex(triangle, 0u);
+    let b = vertex(triangle, 1u);
+    let c = vertex(triangle, 2u);
+    // Rows are sorted with the numbers of their vertices beneath them, so that no two are equal.
+    let keys = vec3<u32>(4u * first_row(a, ry), 4u * first_row(b, ry) + 1u, 4u * first_row(c, ry) + 2u);
+    let least = min(keys.x, min(keys.y, keys.z));
+    let most = max(keys.x, max(keys.y, keys.z));
+    let sorted = vec3<u32>(least, keys.x ^ keys.y ^ keys.z ^ least ^ most, most);
+    let rows = sorted >> vec3<u32>(2u);
+    let order = sorted & vec3<u32>(3u);
+    let low = pick(a, b, c, order.x);
+    let middle = pick(a, b, c, order.y);
+    let high = pick(a, b, c, order.z);
     setups[slot].rows = rows.x | (rows.y << 6u) | (rows.z << 12u)
         | (order.x << 18u) | (order.y << 20u) | (order.z << 22u);
     if (rows.x == rows.z) {
