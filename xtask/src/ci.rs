@@ -8,10 +8,10 @@ use crate::{USAGE, say, test};
 const HELP: &str = "\
 Usage: cargo xtask ci [--require NAME]…
 
-Runs `cargo xtask test --require NAME…`, then `cargo fmt --check`, then `cargo clippy` with warnings denied. All three run,
-whichever fails; the exit code is the first that is not 0.";
+Runs `cargo xtask test --require NAME…`, then `cargo fmt --check`, then `cargo clippy` with warnings denied, also on
+the fuzz targets. All run, whichever fails; the exit code is the first that is not 0.";
 
-/// Runs all three steps.
+/// Runs all steps.
 pub(crate) fn run(args: &[String]) -> u8 {
     if args.iter().any(|a| a == "--help" || a == "-h") {
         return say(io::stdout(), HELP, 0);
@@ -20,10 +20,27 @@ pub(crate) fn run(args: &[String]) -> u8 {
     if tests == USAGE {
         return tests;
     }
-    let step = |subcommand: &str, args: &[&str]| finish(cargo(subcommand).args(args).current_dir(workspace()).status());
+    // The fuzz targets are checked without a fuzzer to link.
+    let step = |subcommand: &str, args: &[&str]| {
+        let mut cargo = cargo(subcommand);
+        cargo.args(args).env("CUSTOM_LIBFUZZER_PATH", "/nowhere/libnone.a").current_dir(workspace());
+        finish(cargo.status())
+    };
     let format = step("fmt", &["--all", "--check"]);
     let clippy = step("clippy", &["--release", "--workspace", "--all-targets", "--", "-D", "warnings"]);
-    let steps = [("test", tests), ("fmt", format), ("clippy", clippy)];
+    let fuzz = [
+        "--release",
+        "--locked",
+        "--manifest-path",
+        "fuzz/Cargo.toml",
+        "--target-dir",
+        "target",
+        "--",
+        "-D",
+        "warnings",
+    ];
+    let fuzz = step("clippy", &fuzz);
+    let steps = [("test", tests), ("fmt", format), ("clippy", clippy), ("fuzz targets", fuzz)];
     for (name, code) in steps {
         say(io::stdout(), &format!("{name}: {}", if code == 0 { "passed" } else { "FAILED" }), 0);
     }
