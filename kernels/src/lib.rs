@@ -27,6 +27,7 @@ pub mod pieces;
 pub mod popcount;
 pub mod random;
 pub mod raster;
+pub mod region_sets;
 pub mod row_span;
 pub mod sat;
 pub mod scan;
@@ -73,6 +74,7 @@ package! {
         line_mask,
         popcount,
         raster,
+        region_sets,
         row_span,
         sat,
         scan,
@@ -112,7 +114,9 @@ package! {
         raster / clip,
         raster / fitting,
         raster / small,
-        raster / wide;
+        raster / wide,
+        region_sets / colour,
+        region_sets / split;
 }
 
 /// Every kernel of the workspace, by name.

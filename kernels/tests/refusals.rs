@@ -4,6 +4,7 @@ use sightlines_backend::{ErrorKind, Job, Result};
 use sightlines_kernels::item_histogram::{ItemHistogram, Order, Tiling};
 use sightlines_kernels::popcount::{Method, Popcount, Shape};
 use sightlines_kernels::raster::{self, Faces, Ids, Mesh, Picture, Placement, Raster, View};
+use sightlines_kernels::region_sets::{self, RegionSets};
 use sightlines_kernels::sat::{Extent, Sat};
 use sightlines_kernels::scan::{self, Kind, Scan};
 
@@ -131,4 +132,28 @@ fn placements_that_rows_cannot_hold() {
     }
     let placement = Placement::new([[0.5, -1.0 / 65_536.0, 16_383.99, 7.5]; 4]).expect("within the bounds");
     assert_eq!(placement.rows[2].to_array(), [32_768, -1, 1_073_741_169, 8]);
+}
+
+#[test]
+fn region_sets_of_too_many_objects_channels_or_regions() {
+    let kernel = RegionSets::new().expect("it compiles");
+    let mut job = Job::new();
+    let (rectangles, outlines) = (job.zeroed("rectangles", 2), job.zeroed("outlines", 16));
+    let shape = region_sets::Shape { objects: 2, channels: 4, limit: 64, width: 64, height: 64 };
+    for (refusal, number) in [
+        (region_sets::Shape { objects: 2001, ..shape }, "2001 objects"),
+        (region_sets::Shape { channels: 9, ..shape }, "9 channels"),
+        (region_sets::Shape { channels: 0, ..shape }, "0 channels"),
+        (region_sets::Shape { limit: 65, ..shape }, "65 regions"),
+        (region_sets::Shape { width: 4097, ..shape }, "4097 columns"),
+        (region_sets::Shape { height: 0, ..shape }, "0 rows"),
+        (region_sets::Shape { objects: 3, ..shape }, "2 rectangles"),
+    ] {
+        refused(kernel.record(&mut job, refusal, rectangles, outlines).map(drop), number);
+    }
+    assert!(job.recordings.is_empty(), "a refusal records nothing");
+    let regions = kernel.record(&mut job, shape, rectangles, outlines).expect("it is small");
+    let (short, words, queries) = (job.zeroed("short", 4095), job.zeroed("words", 4096), job.zeroed("queries", 1));
+    refused(kernel.record_paint(&mut job, &regions, 0, short, words), "4095 items");
+    refused(kernel.record_count(&mut job, &regions, 0, [words, words], queries), "1 queries");
 }

@@ -27,6 +27,9 @@ pub(super) fn all() -> Vec<Case> {
         generated("absent_ids", 5000, 100, |i| if i % 3 == 0 { i } else { random::word(2, i) }, &[0, 1, 3, 99]),
         generated("one_past_small_tile", 9000, 513, |i| i % 515, &[0, 255, 256, 512]),
         generated("one_past_tile", 20_000, 8193, |i| random::below(8194, 3, i), &[0, 4095, 4096, 8192]),
+        weighted("weights", Size::Small, tiling(60, 40), |i| random::word(6, i) >> 24),
+        weighted("weights_wrap", Size::Small, tiling(60, 40), |i| random::word(7, i)),
+        weighted("weights_512", Size::Real, tiling(512, 512), |i| random::word(8, i) >> 24),
         screen_case("figure_4", Size::Small, FIGURE_4, tiling(96, 64), Order::Memory),
         screen_case("figure_4_uneven", Size::Small, FIGURE_4, tiling(301, 77), Order::Scattered),
         screen_case("screen_512_192", Size::Real, FIGURE_4, tiling(512, 512), Order::Memory),
@@ -92,6 +95,37 @@ fn screen_job(instances: &[u32], tiling: Tiling, order: Order) -> Result<Job> {
         job.read(format!("mip.{level}"), buffer.id());
     }
     Ok(job)
+}
+
+/// Sums a weight of every pixel of a screen, as of a blocker that lets light through, in both orders, and two mip levels.
+fn weighted(name: &str, size: Size, tiling: Tiling, weight: fn(u32) -> u32) -> Case {
+    let blocks = FIGURE_4.iter().sum::<u32>();
+    let bins = blocks << (2 * tiling.depth);
+    let ids = move || oracle::labels(tiling, &items(FIGURE_4, tiling), &bases(FIGURE_4, tiling.depth));
+    let weights = move || (0..tiling.width * tiling.height).map(weight).collect::<Vec<u32>>();
+    let expected = move |_: &_| {
+        let fine = oracle::weights(&ids(), &weights(), bins);
+        let middle = oracle::halved(&fine, 2);
+        let coarse = oracle::halved(&middle, 1);
+        [fine.clone(), fine, middle, coarse].map(Expected::Whole).into()
+    };
+    let job = move || {
+        let kernel = ItemHistogram::new()?;
+        let mut job = Job::new();
+        let given = [job.slice("ids", &ids()), job.slice("weights", &weights())];
+        let count = tiling.width * tiling.height;
+        let [sums, scattered] = ["sums", "sums.scattered"].map(|name| job.zeroed(name, u64::from(bins)));
+        kernel.record_weights(&mut job, Order::Memory, (count, given), (bins, sums))?;
+        kernel.record_weights(&mut job, Order::Scattered, (count, given), (bins, scattered))?;
+        let levels = kernel.record_mips(&mut job, tiling.depth, blocks, sums)?;
+        for (name, buffer) in
+            ["sums", "sums.scattered", "mip.1", "mip.2"].into_iter().zip([sums, scattered].into_iter().chain(levels))
+        {
+            job.read(name, buffer.id());
+        }
+        Ok(job)
+    };
+    Case::new(name, size, job, expected).probes([0, 1, 5, blocks - 1])
 }
 
 /// Counts `ids` in both orders.

@@ -9,7 +9,8 @@
 //     id = base[object] + instance * 2^(2t) + x + y * 2^t,
 //
 // and 0xffffffff for the background and for objects without a base. `count` adds to counts[id], for id < bins, the
-// number of times that id occurs; other ids are ignored. `halve` makes blocks of s by s bins from blocks of 2s by 2s,
+// number of times that id occurs; other ids are ignored. `weigh` adds to counts[id] the weights of its items instead, modulo
+// 2^32 (section 5: visibility that is not binary). `halve` makes blocks of s by s bins from blocks of 2s by 2s,
 // each bin the sum of its four children: the next mip level, as sums.
 
 import package::shared::permute::permute;
@@ -82,6 +83,20 @@ fn count(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_inde
         let bin = first_bin + row + lane;
         add_to_bin(bin, found & 0xffffu);
         add_to_bin(bin + TILE_WORDS, found >> 16u);
+    }
+}
+
+@group(0) @binding(10) var<storage, read> weights: array<u32>;
+
+@compute @workgroup_size(256)
+fn weigh(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    let place = (params.first + group.x) * 256u + lane;
+    let item = item_at(place);
+    if (place < params.places && item < params.items) {
+        let bin = ids[item];
+        if (bin < params.bins) {
+            atomicAdd(&counts[bin], weights[item]);
+        }
     }
 }
 

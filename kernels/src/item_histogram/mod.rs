@@ -109,6 +109,14 @@ bindings! {
         write counts @ 2: [u32],
     }
 
+    /// What `weigh` is given.
+    pub struct Weigh {
+        uniform params @ 0: Params,
+        read ids @ 1: [u32],
+        write counts @ 2: [u32],
+        read weights @ 10: [u32],
+    }
+
     /// What `label` is given.
     pub struct Label {
         uniform screen @ 3: Screen,
@@ -144,6 +152,7 @@ impl ItemHistogram {
             let defines = [Define::new("TILE_WORDS", format!("{words}u")), Define::new("SCATTERED", scattered)];
             let program = crate::program("item_histogram", &format!("{name}_{words}"), &defines)?;
             Count::check(&program, "count")?;
+            Weigh::check(&program, "weigh")?;
             Label::check(&program, "label")?;
             Halve::check(&program, "halve")?;
             Ok::<_, Error>(program)
@@ -193,19 +202,10 @@ impl ItemHistogram {
         (items, ids): (u32, Buffer<[u32]>),
         (bins, counts): (u32, Buffer<[u32]>),
     ) -> Result<()> {
-        if items > MAX_ITEMS || bins > MAX_ITEMS || ids.len() < u64::from(items) || counts.len() < u64::from(bins) {
-            let what = format!("a histogram of {items} of {} ids in {bins} of {} bins", ids.len(), counts.len());
-            return Err(Error::refused(what, format!("use at most {MAX_ITEMS} ids and bins, and one word for each")));
-        }
+        check((items, ids.len()), (bins, counts.len()))?;
         let size = usize::from(bins > 2 * TILE_WORDS[0]);
         let words = TILE_WORDS[size];
-        let (program, places, bits) = match order {
-            Order::Memory => (&self.memory[size], items, 0),
-            Order::Scattered => {
-                let places = items.next_power_of_two();
-                (&self.scattered[size], places, places.trailing_zeros())
-            }
-        };
+        let (program, places, bits) = self.ordered(order, size, items);
         // Four items for each word that a workgroup clears and adds, and 16 for each lane at least.
         let rounds = (4 * words / GROUP).max(16);
         let blocks = places.div_ceil(GROUP * rounds).max(1);
@@ -217,6 +217,37 @@ impl ItemHistogram {
             job.launch(program, "count", &bound, [piece.len() as u32, 1, 1]);
         });
         Ok(())
+    }
+
+    /// Adds to `sums`, one word for each of `bins` bins, the weights of each id's items among the first `items` of `ids`,
+    /// modulo 2^32: `weights` has a word an item.
+    pub fn record_weights(
+        &self,
+        job: &mut Job,
+        order: Order,
+        (items, [ids, weights]): (u32, [Buffer<[u32]>; 2]),
+        (bins, sums): (u32, Buffer<[u32]>),
+    ) -> Result<()> {
+        check((items, ids.len().min(weights.len())), (bins, sums.len()))?;
+        let (program, places, bits) = self.ordered(order, 0, items);
+        let program = job.program(program);
+        pieces::record(job, places.div_ceil(GROUP), u64::from(4 * GROUP), |job, piece| {
+            let params = Params { items, bins, rounds: 1, places, bits, blocks: 1, first: piece.start };
+            let bound = Weigh { params: job.value("histogram params", &params), ids, counts: sums, weights };
+            job.launch(program, "weigh", &bound, [piece.len() as u32, 1, 1]);
+        });
+        Ok(())
+    }
+
+    /// The program of an order, its places, and the logarithm of their number where it is a power of two.
+    fn ordered(&self, order: Order, size: usize, items: u32) -> (&Arc<Program>, u32, u32) {
+        match order {
+            Order::Memory => (&self.memory[size], items, 0),
+            Order::Scattered => {
+                let places = items.next_power_of_two();
+                (&self.scattered[size], places, places.trailing_zeros())
+            }
+        }
     }
 
     /// Sums a histogram of blocks of 2^depth by 2^depth bins level by level; the last level has one bin a block.
@@ -248,4 +279,12 @@ impl ItemHistogram {
         }
         Ok(levels)
     }
+}
+
+fn check((items, ids): (u32, u64), (bins, counts): (u32, u64)) -> Result<()> {
+    if items > MAX_ITEMS || bins > MAX_ITEMS || ids < u64::from(items) || counts < u64::from(bins) {
+        let what = format!("a histogram of {items} of {ids} ids in {bins} of {counts} bins");
+        return Err(Error::refused(what, format!("use at most {MAX_ITEMS} ids and bins, and one word for each")));
+    }
+    Ok(())
 }

@@ -32,13 +32,25 @@ pub fn counts(ids: &[u32], bins: u32) -> Vec<u32> {
     counts
 }
 
+/// The sum of the weights of each of the first `bins` ids, modulo 2³².
+pub fn weights(ids: &[u32], weights: &[u32], bins: u32) -> Vec<u32> {
+    let mut sums = vec![0_u32; bins as usize];
+    for (&id, weight) in ids.iter().zip(weights) {
+        if let Some(sum) = sums.get_mut(id as usize) {
+            *sum = sum.wrapping_add(*weight);
+        }
+    }
+    sums
+}
+
 /// The next mip level, as sums: blocks of half the side from blocks of 2^depth by 2^depth.
 pub fn halved(fine: &[u32], depth: u32) -> Vec<u32> {
     let (side, half) = (1 << depth, 1 << (depth - 1));
-    let mut coarse = vec![0; fine.len() / 4];
+    let mut coarse = vec![0_u32; fine.len() / 4];
     for (place, count) in fine.iter().enumerate() {
         let (block, y, x) = (place / (side * side), place / side % side, place % side);
-        coarse[block * half * half + y / 2 * half + x / 2] += count;
+        let bin = &mut coarse[block * half * half + y / 2 * half + x / 2];
+        *bin = bin.wrapping_add(*count);
     }
     coarse
 }

@@ -1,0 +1,241 @@
+// Divides the rectangle of a conflict object among channels, by one workgroup of 64 lanes; a lane owns a piece.
+//
+// The pieces begin as the bounding rectangle. Each region that exists, by objects and then by their regions, divides every piece
+// that it overlaps and in which its channel is still free. The overlap may hold, by the outlines of the two objects, pixels of
+// neither: nothing happens; only of the other: it is dropped; of this one, or of both: it becomes a piece in which the channel
+// is occupied. What is left of the piece makes up to four more, above, left, right and below. Where that would make more than
+// `limit` pieces, only pieces that lie wholly in the region are dropped or occupied, and visibility may be over-estimated. Then
+// pairs of pieces that make a rectangle and leave a channel free are merged, the first pair first. A piece gets the channel in
+// which regions overlap it least, by pixels; lowest number among equals, so a free one if there is one.
+//
+// lavapipe ends all loops of an invocation after 65,535 turns. A region that an object meets takes about 50, so a dispatch
+// divides one object, and loops over lanes are few.
+
+require NONE: u32;
+
+var<workgroup> piece_at: array<vec4<u32>, 64>;
+var<workgroup> occupied_at: array<u32, 64>;
+/// A word of every lane, what comes of all of them, and what lane 0 tells all.
+var<workgroup> made: array<u32, 64>;
+var<workgroup> tally: atomic<u32>;
+var<workgroup> head: u32;
+
+/// Whether the outline of an object reaches into a rectangle, or touches it.
+fn outline_meets(object: u32, r: vec4<u32>) -> bool {
+    let low = vec2<i32>(r.xy);
+    let high = vec2<i32>(r.zw);
+    var least = outlines[8u * object];
+    var most = least;
+    var apart = false;
+    for (var i = 0u; i < 8u; i += 1u) {
+        let a = outlines[8u * object + i];
+        let d = outlines[8u * object + (i + 1u) % 8u] - a;
+        least = min(least, a);
+        most = max(most, a);
+        // d x (p - a) at the corner where it is largest.
+        let p = select(low, high, vec2<bool>((d.y < 0), (d.x > 0)));
+        apart |= d.x * (p.y - a.y) - d.y * (p.x - a.x) < 0;
+    }
+    return !apart & all(least <= high) & all(most >= low);
+}
+
+fn region_count(object: u32, lane: u32) -> u32 {
+    if (lane == 0u) {
+        head = region_counts[object];
+    }
+    return workgroupUniformLoad(&head);
+}
+
+/// What a piece becomes; `part` is the one in which the channel is occupied, or `NONE`.
+struct Pieces {
+    count: u32,
+    rectangles: array<vec4<u32>, 5>,
+    part: u32,
+}
+
+/// A piece that stays as it is, if it exists.
+fn kept(r: vec4<u32>, exists: bool) -> Pieces {
+    var out: Pieces;
+    out.count = select(0u, 1u, exists);
+    out.rectangles[0] = r;
+    out.part = NONE;
+    return out;
+}
+
+/// A piece cut around its part v: above, left, v itself if it is kept, right, below.
+fn divided(r: vec4<u32>, v: vec4<u32>, with_part: bool) -> Pieces {
+    var out: Pieces;
+    let all_pieces = array<vec4<u32>, 5>(vec4<u32>(r.xyz, v.y), vec4<u32>(r.x, v.y, v.x, v.w), v,
+        vec4<u32>(v.z, v.y, r.z, v.w), vec4<u32>(r.x, v.w, r.zw));
+    out.part = NONE;
+    for (var i = 0u; i < 5u; i += 1u) {
+        if (select(!is_empty(all_pieces[i]), with_part, i == 2u)) {
+            if (i == 2u) {
+                out.part = out.count;
+            }
+            out.rectangles[out.count] = all_pieces[i];
+            out.count += 1u;
+        }
+    }
+    return out;
+}
+
+/// Sum over all lanes; uniform.
+fn total_of(value: u32, lane: u32) -> u32 {
+    made[lane] = value;
+    atomicAdd(&tally, value);
+    workgroupBarrier();
+    if (lane == 0u) {
+        head = atomicLoad(&tally);
+        atomicStore(&tally, 0u);
+    }
+    return workgroupUniformLoad(&head);
+}
+
+/// Sum over the lanes before this one of what the last total was taken of.
+fn before(lane: u32) -> u32 {
+    var sum = 0u;
+    for (var i = 0u; i < 64u; i += 1u) {
+        sum += select(0u, made[i], i < lane);
+    }
+    return sum;
+}
+
+/// Divides the pieces by the region at `at` of another object; returns how many there are now.
+fn divide_by(object: u32, other: u32, at: u32, count: u32, lane: u32) -> u32 {
+    let r = piece_at[lane];
+    let occupied = occupied_at[lane];
+    let bit = 1u << region_channels[at];
+    let v = shared_part(r, regions[at]);
+    let overlaps = (lane < count) & !is_empty(v) & ((occupied & bit) == 0u);
+    let own = overlaps & outline_meets(object, v);
+    let acts = own | (overlaps & outline_meets(other, v));
+    if (total_of(select(0u, 1u, acts), lane) == 0u) {
+        return count;
+    }
+    var pieces = kept(r, lane < count);
+    if (acts) {
+        pieces = divided(r, v, own);
+    }
+    var total = total_of(pieces.count, lane);
+    if (total > params.limit) {
+        pieces = kept(r, lane < count);
+        if (acts & all(v == r)) {
+            pieces = divided(r, v, own);
+        }
+        total = total_of(pieces.count, lane);
+    }
+    let place = before(lane);
+    for (var i = 0u; i < pieces.count; i += 1u) {
+        piece_at[place + i] = pieces.rectangles[i];
+        occupied_at[place + i] = occupied | select(0u, bit, i == pieces.part);
+    }
+    workgroupBarrier();
+    return total;
+}
+
+/// Whether two rectangles have a whole side in common.
+fn make_rectangle(a: vec4<u32>, b: vec4<u32>) -> bool {
+    let beside = all(a.yw == b.yw) & ((a.z == b.x) | (b.z == a.x));
+    let above = all(a.xz == b.xz) & ((a.w == b.y) | (b.w == a.y));
+    return beside | above;
+}
+
+/// Merges the first pair of pieces that may be; returns how many there are now.
+fn merge_pair(count: u32, lane: u32) -> u32 {
+    let r = piece_at[lane];
+    let occupied = occupied_at[lane];
+    let full = (1u << params.channels) - 1u;
+    var partner = NONE;
+    for (var other = count; other > lane + 1u; other -= 1u) {
+        let fits = make_rectangle(r, piece_at[other - 1u]) & ((occupied | occupied_at[other - 1u]) != full);
+        partner = select(partner, other - 1u, fits);
+    }
+    // The least pair has the greatest complement, and no pair the complement 0.
+    atomicMax(&tally, ~select((lane << 8u) | partner, NONE, partner == NONE));
+    workgroupBarrier();
+    if (lane == 0u) {
+        head = ~atomicLoad(&tally);
+        atomicStore(&tally, 0u);
+    }
+    let pair = workgroupUniformLoad(&head);
+    if (pair == NONE) {
+        return count;
+    }
+    let a = pair >> 8u;
+    let b = pair & 255u;
+    let next = piece_at[min(lane + 1u, 63u)];
+    let next_occupied = occupied_at[min(lane + 1u, 63u)];
+    let merged = vec4<u32>(min(piece_at[a].xy, piece_at[b].xy), max(piece_at[a].zw, piece_at[b].zw));
+    let both = occupied_at[a] | occupied_at[b];
+    workgroupBarrier();
+    if (lane == a) {
+        piece_at[lane] = merged;
+        occupied_at[lane] = both;
+    } else if (lane >= b) {
+        piece_at[lane] = next;
+        occupied_at[lane] = next_occupied;
+    }
+    workgroupBarrier();
+    return count - 1u;
+}
+
+/// Adds to `cost`, by channels and clamped to 2^32 - 1, the pixels of the regions of another object in a piece.
+fn add_cost(cost: ptr<function, array<u32, 8>>, r: vec4<u32>, object: u32, other: u32, regions_of_other: u32) {
+    for (var i = 0u; i < regions_of_other; i += 1u) {
+        let at = 64u * other + i;
+        let v = shared_part(r, regions[at]);
+        if (!is_empty(v)) {
+            if (outline_meets(object, v) | outline_meets(other, v)) {
+                let channel = region_channels[at];
+                let pixels = (v.z - v.x) * (v.w - v.y);
+                (*cost)[channel] += min(pixels, NONE - (*cost)[channel]);
+            }
+        }
+    }
+}
+
+/// Writes the regions of a conflict object.
+fn split_object(object: u32, lane: u32) {
+    piece_at[lane] = rectangles[object];
+    occupied_at[lane] = 0u;
+    var count = 1u;
+    workgroupBarrier();
+    for (var word = 0u; word < row_words(); word += 1u) {
+        var bits = conflict_bits[object * row_words() + word];
+        while (bits != 0u) {
+            let other = 32u * word + firstTrailingBit(bits);
+            bits &= bits - 1u;
+            let known = region_count(other, lane);
+            for (var i = 0u; i < known; i += 1u) {
+                count = divide_by(object, other, 64u * other + i, count, lane);
+            }
+        }
+    }
+    var last = count + 1u;
+    while (count < last) {
+        last = count;
+        count = merge_pair(count, lane);
+    }
+    let r = piece_at[lane];
+    var cost = array<u32, 8>();
+    for (var word = 0u; word < row_words(); word += 1u) {
+        var bits = conflict_bits[object * row_words() + word];
+        while (bits != 0u) {
+            let other = 32u * word + firstTrailingBit(bits);
+            bits &= bits - 1u;
+            add_cost(&cost, r, object, other, region_count(other, lane));
+        }
+    }
+    var best = 0u;
+    for (var channel = 1u; channel < params.channels; channel += 1u) {
+        best = select(best, channel, cost[channel] < cost[best]);
+    }
+    if (lane < count) {
+        regions[64u * object + lane] = r;
+        region_channels[64u * object + lane] = best;
+    }
+    if (lane == 0u) {
+        region_counts[object] = count;
+    }
+}
