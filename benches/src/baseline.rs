@@ -33,13 +33,29 @@ impl Baseline {
         report.write(&file(folder, name))
     }
 
-    /// Relative changes of time and of the ratio to lavapipe since the baseline, where both runs have them. A load on
-    /// the machine changes the first more than the second.
-    pub fn changes(&self, row: &Row) -> (Option<f64>, Option<f64>) {
-        let Some(old) = self.report.rows.iter().find(|old| old.is_same_as(row)) else { return (None, None) };
-        let ratio = row.ratio_to_lavapipe.zip(old.ratio_to_lavapipe).map(|(new, old)| new / old - 1.0);
-        (Some(row.median_ns / old.median_ns - 1.0), ratio)
+    /// What changed since the baseline, where both runs have it.
+    pub fn changes(&self, row: &Row) -> Changes {
+        let Some(old) = self.report.rows.iter().find(|old| old.is_same_as(row)) else { return Changes::default() };
+        let change = |new: f64, old: f64| new / old - 1.0;
+        let counts = row.instructions.as_ref().zip(old.instructions.as_ref()).filter(|(new, old)| new.simd == old.simd);
+        Changes {
+            time: Some(change(row.median_ns, old.median_ns)),
+            ratio: row.ratio_to_lavapipe.zip(old.ratio_to_lavapipe).map(|(new, old)| change(new, old)),
+            instructions: counts.map(|(new, old)| change(new.count as f64, old.count as f64)),
+        }
     }
+}
+
+/// Relative changes since a baseline. A load on the machine changes the time most, the ratio less, instructions not at
+/// all.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Changes {
+    /// Of the median time.
+    pub time: Option<f64>,
+    /// Of the ratio to lavapipe.
+    pub ratio: Option<f64>,
+    /// Of the instructions.
+    pub instructions: Option<f64>,
 }
 
 /// Whether a name can be that of a file.
@@ -59,16 +75,33 @@ fn file(folder: &Path, name: &str) -> PathBuf {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::Instructions;
     use crate::report::tests::row;
 
     #[test]
     fn changes_are_found_by_what_a_row_measures() {
         let rows = vec![row("scan/counts", 1, Some("avx2"), 2e6, Some(0.5)), row("scan/counts", 1, None, 4e6, None)];
         let baseline = Baseline { name: "old".into(), report: Report::new(rows, 1, None, Vec::new()) };
-        let changes = |row: Row| baseline.changes(&row);
+        let changes = |row: Row| {
+            let changes = baseline.changes(&row);
+            (changes.time, changes.ratio)
+        };
         assert_eq!(changes(row("scan/counts", 1, Some("avx2"), 3e6, Some(0.25))), (Some(0.5), Some(-0.5)));
         assert_eq!(changes(row("scan/counts", 1, None, 2e6, None)), (Some(-0.5), None));
         assert_eq!(changes(row("scan/counts", 2, Some("avx2"), 2e6, None)), (None, None));
+    }
+
+    #[test]
+    fn instructions_are_compared_at_one_level() {
+        let counted = |simd: &str, count| {
+            let mut row = row("scan/counts", 1, Some("avx512"), 2e6, None);
+            row.instructions = Some(Instructions { simd: simd.into(), count });
+            row
+        };
+        let report = Report::new(vec![counted("avx2", 1000)], 1, None, Vec::new());
+        let baseline = Baseline { name: "old".into(), report };
+        assert_eq!(baseline.changes(&counted("avx2", 1500)).instructions, Some(0.5));
+        assert_eq!(baseline.changes(&counted("sse2", 1500)).instructions, None);
     }
 
     #[test]

@@ -10,13 +10,14 @@ use crate::baseline::parse_name;
 const AFTER_HELP: &str = "\
 Measured are the dispatches of a case, with memory resident on the device: CPU time of one thread on one core, wall time
 of all cores. `ratio` is interpreter over lavapipe, the median of the rounds' ratios; below 1 the interpreter is faster.
-Results go to `backends.json` in the output folder.
+Means are geometric: of a kernel's cases, then of the kernels. Results go to `backends.json` and `backends.html` in the
+output folder.
 
 Exit codes:
   0  everything was measured
   1  a subject failed on an engine, engines gave different bits, or a file could not be written
   2  the command line, or a baseline named on it, is wrong
-  3  a required adapter or SIMD level is missing
+  3  a required adapter, SIMD level or tool is missing
   4  the filter selects nothing
 
 Environment:
@@ -28,9 +29,9 @@ Environment:
 #[command(name = "bench", bin_name = "cargo xtask bench", version, after_help = AFTER_HELP)]
 #[command(args_conflicts_with_subcommands = true, disable_help_subcommand = true)]
 pub struct Cli {
-    /// What the program's own children do.
+    /// Another measurement, or what the program's own children do.
     #[command(subcommand)]
-    pub command: Option<Internal>,
+    pub command: Option<Work>,
     /// What is measured, and where.
     #[command(flatten)]
     pub bench: BenchArgs,
@@ -53,12 +54,18 @@ pub struct BenchArgs {
     /// Adapter by part of its name or driver, beside lavapipe; may be repeated [default: all].
     #[arg(long, value_name = "NAME")]
     pub adapter: Vec<String>,
-    /// SIMD level of the interpreter; may be repeated [default: the best].
-    #[arg(long, value_name = "LEVEL", value_parser = ["sse2", "neon", "baseline", "sse4.2", "avx2", "avx512"])]
+    /// SIMD level of the interpreter, or `all` that the machine has; may be repeated [default: the best].
+    #[arg(long, value_name = "LEVEL", value_parser = ["all", "sse2", "neon", "baseline", "sse4.2", "avx2", "avx512"])]
     pub simd: Vec<String>,
     /// End with code 3 unless this adapter takes part; may be repeated.
     #[arg(long, value_name = "NAME")]
     pub require: Vec<String>,
+    /// Count processor instructions too, with valgrind: slow, but no load on the machine changes them.
+    #[arg(long)]
+    pub callgrind: bool,
+    /// What is written: tables to standard output, `backends.json`, `backends.html`.
+    #[arg(long, value_delimiter = ',', value_name = "text,json,html", default_value = "text,json,html")]
+    pub format: Vec<Format>,
     /// Folder of the results [default: target/bench of the workspace].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -83,12 +90,48 @@ pub enum ThreadSetting {
     All,
 }
 
-/// What the program's own children do.
+/// A form of the report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// Tables.
+    Text,
+    /// One object, which baselines are made of.
+    Json,
+    /// One page that needs nothing else.
+    Html,
+}
+
+/// Another measurement, or what the program's own children do.
 #[derive(Debug, Subcommand)]
-pub enum Internal {
+pub enum Work {
+    /// Soft shadows of generated meshes on the interpreter, one thread.
+    Shadows {
+        /// Cases whose `mesh/light` matches this regular expression [default: all].
+        filter: Option<Regex>,
+        /// Bake little: for a look, not for numbers that are kept.
+        #[arg(long)]
+        quick: bool,
+        /// Folder of the results [default: target/bench of the workspace].
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+    },
+    /// Bake one case, for the parent process.
+    #[command(hide = true)]
+    Shadow {
+        /// The case, as JSON.
+        case: String,
+    },
     /// Serve measurements over standard input and output.
     #[command(hide = true)]
     Worker,
+    /// Repeat one subject once, for a parent that counts instructions.
+    #[command(hide = true)]
+    Repeat {
+        /// SIMD level.
+        simd: String,
+        /// `kernel/case`.
+        subject: String,
+    },
     /// List the adapters, for the parent process.
     #[command(hide = true)]
     Adapters,
@@ -109,12 +152,14 @@ mod tests {
         let parse = |line: &str| Cli::try_parse_from(["bench"].into_iter().chain(line.split_whitespace()));
         let good =
             parse("scan --rounds 3 --threads all --simd avx2 --simd sse2 --save-baseline a --quick").unwrap().bench;
+        assert_eq!(parse("--format json,html").unwrap().bench.format, [Format::Json, Format::Html]);
         assert_eq!((good.rounds, good.threads, good.simd.len()), (Some(3), vec![ThreadSetting::All], 2));
         let bare = parse("").unwrap().bench;
         assert_eq!(bare.threads, [ThreadSetting::One, ThreadSetting::All]);
         for bad in ["(", "--rounds 0", "--threads 7", "--simd mmx", "--baseline ../x", "a b"] {
             assert!(parse(bad).is_err(), "{bad}");
         }
-        assert!(matches!(parse("worker").unwrap().command, Some(Internal::Worker)));
+        assert!(matches!(parse("shadows palms --quick").unwrap().command, Some(Work::Shadows { quick: true, .. })));
+        assert!(matches!(parse("worker").unwrap().command, Some(Work::Worker)));
     }
 }

@@ -173,7 +173,7 @@ pub fn require(required: &str, chosen: &[Adapter], trouble: Option<&str>) -> Res
     )))
 }
 
-/// The interpreter's engines: the named levels, or the best.
+/// The interpreter's engines: the named levels, `all` of them, or the best.
 pub fn interpreters(levels: &[String]) -> Result<Vec<Engine>> {
     let available: Vec<&str> = Simd::available().into_iter().map(Simd::name).collect();
     if levels.is_empty() {
@@ -181,12 +181,14 @@ pub fn interpreters(levels: &[String]) -> Result<Vec<Engine>> {
         return Ok(vec![Engine::Cpu { simd: best.to_owned() }]);
     }
     let mut engines = Vec::new();
+    let all = levels.iter().any(|level| level == "all");
+    let levels = if all { available.clone() } else { levels.iter().map(String::as_str).collect() };
     for level in levels {
-        if !available.contains(&level.as_str()) {
+        if !available.contains(&level) {
             let all = available.join(", ");
             return Err(Error::Missing(format!("this machine has no SIMD level `{level}` (it has: {all})")));
         }
-        let engine = Engine::Cpu { simd: level.clone() };
+        let engine = Engine::Cpu { simd: level.to_owned() };
         if !engines.contains(&engine) {
             engines.push(engine);
         }
@@ -231,6 +233,7 @@ mod tests {
     fn the_best_level_is_the_default() {
         let best = Simd::available().last().unwrap().name().to_owned();
         assert_eq!(interpreters(&[]).unwrap(), [Engine::Cpu { simd: best.clone() }]);
+        assert_eq!(interpreters(&["all".to_owned()]).unwrap().len(), Simd::available().len());
         assert_eq!(interpreters(&[best.clone(), best.clone()]).unwrap(), [Engine::Cpu { simd: best }]);
     }
 

@@ -22,17 +22,21 @@
 //! `lane_ops` is the interpreter's work for one repetition: for each vector instruction it executes, the lanes of
 //! the 16-lane chunks that the instruction works on ([`Session::lane_ops`](sightlines_backend::Session::lane_ops)).
 //! It is counted, not timed, and does not depend on SIMD level or threads; rows of other engines carry the same
-//! number, so that `ns_per_lane_op` compares time for the same work.
+//! number, so that `ns_per_lane_op` compares time for the same work. [`instructions`] counts what the processor executes
+//! for it.
 
 pub mod baseline;
 pub mod cli;
 pub mod clock;
 pub mod engine;
 pub mod error;
+mod html;
+pub mod instructions;
 pub mod measure;
 pub mod micro;
 pub mod report;
 pub mod run;
+pub mod shadows;
 mod statistics;
 pub mod subject;
 mod table;

@@ -1,12 +1,14 @@
 //! The program `sightlines-bench`: `cargo xtask bench`, and its worker processes.
 
 use std::io::{self, ErrorKind, Write};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
-use sightlines_benches::cli::{Cli, Internal};
+use sightlines_benches::cli::{Cli, Work};
 use sightlines_benches::error::{EXIT_OK, Error, Result};
-use sightlines_benches::{run, worker};
+use sightlines_benches::shadows::Size;
+use sightlines_benches::{instructions, run, shadows, worker};
 
 fn main() -> ExitCode {
     match start(&Cli::parse()) {
@@ -21,12 +23,22 @@ fn main() -> ExitCode {
 }
 
 fn start(cli: &Cli) -> Result<u8> {
-    match cli.command {
-        None => {
-            let exe = std::env::current_exe().map_err(|e| Error::Worker(format!("this program's own path: {e}")))?;
-            run::run(&exe, &cli.bench, &mut io::stdout())
+    match &cli.command {
+        None => run::run(&own_path()?, &cli.bench, &mut io::stdout()),
+        Some(Work::Shadows { filter, quick, out }) => {
+            let size = if *quick { Size::QUICK } else { Size::FULL };
+            let folder = run::folder(out.as_deref())?;
+            shadows::run(&own_path()?, &shadows::cases(size, filter.as_ref()), &folder, &mut io::stdout())
         }
-        Some(Internal::Worker) => worker::serve(io::stdin().lock(), io::stdout()).map(|()| EXIT_OK),
-        Some(Internal::Adapters) => worker::list_adapters(io::stdout()).map(|()| EXIT_OK),
+        Some(Work::Shadow { case }) => shadows::serve(case, &mut io::stdout()).map(|()| EXIT_OK),
+        Some(Work::Worker) => worker::serve(io::stdin().lock(), io::stdout()).map(|()| EXIT_OK),
+        Some(Work::Repeat { simd, subject }) => {
+            instructions::repeat(simd, subject, &mut io::stdout()).map(|()| EXIT_OK)
+        }
+        Some(Work::Adapters) => worker::list_adapters(io::stdout()).map(|()| EXIT_OK),
     }
+}
+
+fn own_path() -> Result<PathBuf> {
+    std::env::current_exe().map_err(|e| Error::Worker(format!("this program's own path: {e}")))
 }

@@ -72,7 +72,8 @@ impl<'a> Prepared<'a> {
         Ok(Prepared { session, dispatches, outputs, lane_ops })
     }
 
-    /// Runs all dispatches once, to their end.
+    /// Runs all dispatches once, to their end. Instructions are counted while this function runs, so it has to be one.
+    #[inline(never)]
     pub fn repeat(&mut self) -> BackendResult<()> {
         self.session.submit(&self.dispatches)
     }

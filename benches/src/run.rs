@@ -5,16 +5,16 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use crate::baseline::Baseline;
-use crate::cli::{BenchArgs, ThreadSetting};
+use crate::cli::{BenchArgs, Format, ThreadSetting};
 use crate::clock::Clock;
 use crate::engine::{self, Engine, INSTALL_LAVAPIPE, Threads};
 use crate::error::{EXIT_FAILED, EXIT_OK, Error, Result};
 use crate::measure::Sampling;
-use crate::report::{Report, Row};
+use crate::report::{Report, Row, write_whole};
 use crate::statistics::median;
 use crate::subject::{Subject, subjects};
-use crate::table;
 use crate::worker::{Measured, Setting, Worker, discover};
+use crate::{html, instructions, table};
 
 /// Everything that a run is given.
 struct Plan<'a> {
@@ -35,8 +35,10 @@ pub fn run(exe: &Path, args: &BenchArgs, out: &mut impl Write) -> Result<u8> {
         subjects.iter().try_for_each(|subject| writeln!(out, "{subject}"))?;
         return Ok(EXIT_OK);
     }
-    let folder = args.out.clone().unwrap_or_else(default_folder);
-    let folder = std::path::absolute(&folder).map_err(|e| Error::file(&folder, e))?;
+    let folder = folder(args.out.as_deref())?;
+    if args.callgrind {
+        instructions::require()?;
+    }
     let baseline = args.baseline.as_ref().map(|name| Baseline::read(&folder, name)).transpose()?;
     let engines = engines(exe, args, out)?;
     let sampling = if args.quick { Sampling::QUICK } else { Sampling::FULL };
@@ -50,6 +52,9 @@ pub fn run(exe: &Path, args: &BenchArgs, out: &mut impl Write) -> Result<u8> {
     for threads in settings(&args.threads) {
         plan.setting(threads, &mut rows, &mut failures);
     }
+    if args.callgrind {
+        plan.count(&mut rows, &mut failures);
+    }
     let lavapipe = plan.engines.iter().find(|e| e.is_lavapipe()).map(adapter_name);
     let report = Report::new(rows, plan.rounds, lavapipe, failures);
     finish(&plan, args, &report, baseline.as_ref(), out)
@@ -62,9 +67,18 @@ fn finish(
     baseline: Option<&Baseline>,
     out: &mut impl Write,
 ) -> Result<u8> {
-    out.write_all(table::render(report, baseline).as_bytes())?;
-    let path = plan.folder.join("backends.json");
-    report.write(&path)?;
+    if args.format.contains(&Format::Text) {
+        out.write_all(table::render(report, baseline).as_bytes())?;
+    }
+    let mut written = Vec::new();
+    if args.format.contains(&Format::Json) {
+        written.push(plan.folder.join("backends.json"));
+        report.write(&plan.folder.join("backends.json"))?;
+    }
+    if args.format.contains(&Format::Html) {
+        written.push(plan.folder.join("backends.html"));
+        write_whole(&plan.folder.join("backends.html"), &html::render(report, baseline))?;
+    }
     if let Some(name) = &args.save_baseline {
         Baseline::save(&plan.folder, name, report)?;
     }
@@ -72,7 +86,10 @@ fn finish(
         writeln!(out, "FAILED: {failure}")?;
     }
     let (rows, failed) = (report.rows.len(), report.summary.failures.len());
-    writeln!(out, "{rows} rows in {}, {failed} failed", path.display())?;
+    for path in written {
+        writeln!(out, "written: {}", path.display())?;
+    }
+    writeln!(out, "{rows} rows, {failed} failed")?;
     Ok(if failed == 0 && rows > 0 { EXIT_OK } else { EXIT_FAILED })
 }
 
@@ -180,6 +197,19 @@ impl Plan<'_> {
         worker.measure(subject)
     }
 
+    /// Counts the instructions of the interpreter's one-thread rows.
+    fn count(&self, rows: &mut [Row], failures: &mut Vec<String>) {
+        for row in rows.iter_mut().filter(|row| row.threads == 1) {
+            let Some(simd) = &row.simd else { continue };
+            let Some(subject) = self.subjects.iter().find(|subject| subject.to_string() == row.id()) else { continue };
+            progress(&format!("instructions: {subject}, {simd}"));
+            match instructions::count(self.exe, subject, simd, &self.folder) {
+                Ok(count) => row.instructions = Some(count),
+                Err(error) => failures.push(format!("instructions of {subject}, {simd}: {error}")),
+            }
+        }
+    }
+
     fn rows(&self, subject: &Subject, threads: Threads, series: &[Vec<Measured>]) -> Vec<Row> {
         let lane_ops = series.iter().flatten().find_map(|measured| measured.lane_ops);
         let lavapipe = self.engines.iter().position(Engine::is_lavapipe);
@@ -216,6 +246,7 @@ fn row(
         median_ns,
         rounds_ns,
         lane_ops,
+        instructions: None,
         ns_per_lane_op: lane_ops.filter(|ops| *ops > 0).map(|ops| median_ns / ops as f64),
     })
 }
@@ -249,6 +280,12 @@ fn core_to_pin() -> Option<String> {
     let core: String = allowed.chars().take_while(char::is_ascii_digit).collect();
     let tried = taskset.args(["-c", &core, "true"]).stdout(Stdio::null()).stderr(Stdio::null()).status();
     tried.is_ok_and(|status| status.success()).then_some(core)
+}
+
+/// The folder of the results, by default `target/bench`.
+pub fn folder(asked: Option<&Path>) -> Result<PathBuf> {
+    let folder = asked.map_or_else(default_folder, Path::to_owned);
+    std::path::absolute(&folder).map_err(|e| Error::file(&folder, e))
 }
 
 /// `target/bench` of the workspace, or of the folder that cargo was told to use.

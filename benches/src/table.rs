@@ -6,13 +6,13 @@ use crate::baseline::Baseline;
 use crate::report::{Report, Row};
 
 /// Text in columns: the first `left` are flush left, the others flush right.
-struct Columns {
-    left: usize,
-    lines: Vec<Vec<String>>,
+pub(crate) struct Columns {
+    pub left: usize,
+    pub lines: Vec<Vec<String>>,
 }
 
 impl Columns {
-    fn render(&self, out: &mut String) {
+    pub(crate) fn render(&self, out: &mut String) {
         let width = |column: usize| self.lines.iter().map(|line| line[column].chars().count()).max().unwrap_or(0);
         for line in &self.lines {
             let mut text = String::from("  ");
@@ -54,9 +54,16 @@ fn setting(rows: &[&Row], baseline: Option<&Baseline>) -> Columns {
     let mut head = vec!["kernel".to_owned(), "case".to_owned(), "simd".to_owned()];
     head.extend(adapters.iter().map(|adapter| format!("{} ms", short(adapter))));
     head.extend(["interpreter ms", "ratio", "ns/lane-op"].map(str::to_owned));
+    let counted = rows.iter().any(|row| row.instructions.is_some());
+    if counted {
+        head.extend(["Minstr", "instr/lane-op", "counted at"].map(str::to_owned));
+    }
     if let Some(baseline) = baseline {
         head.push(format!("time since {}", baseline.name));
         head.push("ratio since".to_owned());
+        if counted {
+            head.push("instr since".to_owned());
+        }
     }
     let mut lines = vec![head];
     for row in rows.iter().filter(|row| row.simd.is_some()) {
@@ -66,9 +73,17 @@ fn setting(rows: &[&Row], baseline: Option<&Baseline>) -> Columns {
             cell(other.map(|r| r.median_ns / 1e6), 3)
         }));
         line.extend([cell(Some(row.median_ns / 1e6), 3), cell(row.ratio_to_lavapipe, 2), cell(row.ns_per_lane_op, 3)]);
+        if counted {
+            let count = row.instructions.as_ref();
+            let level = count.map_or_else(|| "-".to_owned(), |i| i.simd.clone());
+            line.extend([cell(count.map(|i| i.count as f64 / 1e6), 3), cell(row.instructions_per_lane_op(), 3), level]);
+        }
         if let Some(baseline) = baseline {
-            let (time, ratio) = baseline.changes(row);
-            line.extend([percent(time), percent(ratio)]);
+            let changes = baseline.changes(row);
+            line.extend([percent(changes.time), percent(changes.ratio)]);
+            if counted {
+                line.push(percent(changes.instructions));
+            }
         }
         lines.push(line);
     }
@@ -80,7 +95,13 @@ fn means(report: &Report, out: &mut String) {
         let threads = if group.threads == 1 { "1 thread".to_owned() } else { format!("{} threads", group.threads) };
         let _ = write!(out, "{}, {threads}, {}: ", group.subjects, group.simd);
         if let (Some(mean), Some(worst), Some(id)) = (group.mean_ratio, group.worst_ratio, &group.worst) {
-            let _ = write!(out, "ratio to lavapipe {mean:.2} in the geometric mean, at worst {worst:.2} ({id}); ");
+            let kernels = if group.kernels == 1 { "kernel" } else { "kernels" };
+            let (faster, count) = (group.faster, group.kernels);
+            let _ = write!(
+                out,
+                "ratio to lavapipe {mean:.2} in the geometric mean of {count} {kernels}, {faster} of them faster, \
+                 at worst {worst:.2} ({id}); "
+            );
         }
         let _ = writeln!(out, "{} ns a lane-operation", cell(group.mean_ns_per_lane_op, 3));
     }
@@ -92,11 +113,11 @@ pub(crate) fn short(adapter: &str) -> &str {
     if name == crate::engine::LAVAPIPE { "lavapipe" } else { name }
 }
 
-fn cell(value: Option<f64>, digits: usize) -> String {
+pub(crate) fn cell(value: Option<f64>, digits: usize) -> String {
     value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
 }
 
-fn percent(change: Option<f64>) -> String {
+pub(crate) fn percent(change: Option<f64>) -> String {
     change.map_or_else(|| "-".to_owned(), |change| format!("{:+.1} %", 100.0 * change))
 }
 
@@ -118,8 +139,8 @@ mod tests {
   scan    counts  avx2        2.000           1.000   0.50    1000.000
   sat     square  avx2            -           4.000      -    4000.000
 
-kernels, 1 thread, avx2: ratio to lavapipe 0.50 in the geometric mean, at worst 0.50 (scan/counts); 2000.000 ns a \
-lane-operation
+kernels, 1 thread, avx2: ratio to lavapipe 0.50 in the geometric mean of 1 kernel, 1 of them faster, at worst 0.50 \
+(scan/counts); 2000.000 ns a lane-operation
 ";
         assert_eq!(render(&Report::new(rows, 1, None, Vec::new()), None), expected);
     }

@@ -3,10 +3,13 @@
 //! They are the same bits on every host: positions come from integer hashes, f64 arithmetic and `libm` alone. All stand
 //! with y up, in metres, above the ground plane y = 0.
 
+mod bumpy;
 mod palms;
 mod shapes;
 
 use super::{Mesh, Scene};
+
+pub use bumpy::bumpy_sphere;
 
 /// A scene by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -17,7 +17,7 @@ use std::path::Path;
 use crate::error::{Place, Result};
 use crate::vector::{self, Vector, add, cross, scale, sub};
 
-pub use generate::{Generator, generate};
+pub use generate::{Generator, bumpy_sphere, generate};
 pub use load::load;
 
 /// Largest file that is read, in bytes.

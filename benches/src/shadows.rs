@@ -1,0 +1,243 @@
+//! Soft shadows of generated meshes: `cargo xtask bench shadows`.
+//!
+//! Each mesh and light is a child process with one thread, so that its peak memory is its own. What is timed is a whole
+//! bake of the interpreter, by CPU time: snapping, binning and every kernel, one warm-up and then the runs. Rays are
+//! pairs of a receiver and a sample, whether or not a triangle is near them.
+
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use criterion::measurement::Measurement;
+use regex::Regex;
+use serde::{Deserialize, Serialize};
+use sightlines_backend_cpu::{Config, CpuBackend};
+use sightlines_visibility::scene::{Generator, Scene, bumpy_sphere, generate};
+use sightlines_visibility::setup::{Settings, Setup};
+use sightlines_visibility::shadows::bake;
+
+use crate::clock::Clock;
+use crate::engine::Threads;
+use crate::error::{EXIT_FAILED, EXIT_OK, Error, Result};
+use crate::report::write_whole;
+use crate::statistics::median;
+use crate::table::{Columns, cell};
+
+/// Sides of the light, in radii of the scene.
+pub const LIGHTS: [f64; 3] = [0.1, 0.4, 1.0];
+
+/// Triangles of the bumpy spheres.
+const SPHERES: [usize; 4] = [12_000, 70_000, 200_000, 870_000];
+
+/// How much is baked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Size {
+    /// Receivers a side.
+    pub resolution: u32,
+    /// Samples of the light.
+    pub samples: u32,
+    /// Runs after the warm-up.
+    pub runs: usize,
+}
+
+impl Size {
+    /// For numbers that are kept.
+    pub const FULL: Size = Size { resolution: 512, samples: 1024, runs: 3 };
+    /// For a look.
+    pub const QUICK: Size = Size { resolution: 128, samples: 256, runs: 1 };
+}
+
+/// One mesh under one light.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Case {
+    /// `palms`, or `bumpy-` and a number of triangles.
+    pub mesh: String,
+    /// Side of the light, in radii of the scene.
+    pub light: f64,
+    /// How much is baked.
+    pub size: Size,
+}
+
+/// What a case took.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Baked {
+    /// The case.
+    #[serde(flatten)]
+    pub case: Case,
+    /// Triangles of the mesh.
+    pub triangles: usize,
+    /// Median of [`Baked::runs_ns`].
+    pub median_ns: f64,
+    /// CPU time of each run.
+    pub runs_ns: Vec<f64>,
+    /// Pairs of a triangle and a receiver in its influence region.
+    pub pairs: u64,
+    /// Lane-operations of one bake.
+    pub lane_ops: Option<u64>,
+    /// `median_ns / lane_ops`.
+    pub ns_per_lane_op: Option<f64>,
+    /// Receivers times samples, a second.
+    pub rays_per_second: f64,
+    /// Share of the rays that are hidden.
+    pub hidden: f64,
+    /// The process' greatest resident memory in bytes, where the system tells.
+    pub peak_bytes: Option<u64>,
+}
+
+/// All cases, meshes by size.
+pub fn cases(size: Size, filter: Option<&Regex>) -> Vec<Case> {
+    let mut meshes: Vec<String> = SPHERES.iter().map(|n| format!("bumpy-{n}")).collect();
+    meshes.insert(1, "palms".to_owned());
+    let cases = meshes.into_iter().flat_map(|mesh| LIGHTS.map(|light| Case { mesh: mesh.clone(), light, size }));
+    cases.filter(|case| filter.is_none_or(|filter| filter.is_match(&format!("{}/{}", case.mesh, case.light)))).collect()
+}
+
+fn scene(mesh: &str) -> Result<Scene> {
+    if let Some(generator) = Generator::from_name(mesh) {
+        return Ok(generate(generator));
+    }
+    let triangles = mesh.strip_prefix("bumpy-").and_then(|n| n.parse().ok());
+    triangles.map(bumpy_sphere).ok_or_else(|| Error::Usage(format!("no mesh is called `{mesh}`")))
+}
+
+/// The child: bakes a case and writes what it took.
+pub fn serve(case: &str, out: &mut impl Write) -> Result<()> {
+    let case: Case = serde_json::from_str(case).map_err(|e| Error::Worker(format!("not a case: {e}")))?;
+    let baked = measure(case)?;
+    let line = serde_json::to_string(&baked).map_err(|e| Error::Worker(e.to_string()))?;
+    Ok(writeln!(out, "{line}")?)
+}
+
+fn measure(case: Case) -> Result<Baked> {
+    let scene = scene(&case.mesh)?;
+    let Size { resolution, samples, runs } = case.size;
+    let settings = Settings {
+        light_size: Some(case.light),
+        resolution: Some(resolution),
+        samples: Some(samples),
+        ..Settings::default()
+    };
+    let failed = |e: sightlines_visibility::Error| Error::Measurement(format!("{}/{}: {e}", case.mesh, case.light));
+    let request = Setup::new(scene, &settings).map_err(failed)?.request();
+    let backend = CpuBackend::new(Config { threads: 1, ..Config::default() });
+    let clock = Clock::of(Threads::One);
+    let run = || {
+        let start = clock.start();
+        let bake = bake(&backend, &request, &mut |_| ()).map_err(failed)?;
+        Ok((clock.to_f64(&clock.end(start)), bake))
+    };
+    let (_, first) = run()?;
+    let runs_ns = (0..runs).map(|_| run().map(|(ns, _)| ns)).collect::<Result<Vec<f64>>>()?;
+    let median_ns = median(&runs_ns).ok_or_else(|| Error::Measurement("no run".to_owned()))?;
+    let rays = f64::from(resolution) * f64::from(resolution) * f64::from(samples);
+    let visible: f64 = first.visible.iter().map(|seen| f64::from(*seen)).sum();
+    Ok(Baked {
+        triangles: request.triangles.len(),
+        pairs: first.work.pairs,
+        lane_ops: first.work.lane_ops,
+        ns_per_lane_op: first.work.lane_ops.filter(|ops| *ops > 0).map(|ops| median_ns / ops as f64),
+        rays_per_second: rays / (median_ns / 1e9),
+        hidden: 1.0 - visible / rays,
+        peak_bytes: peak_bytes(),
+        median_ns,
+        runs_ns,
+        case,
+    })
+}
+
+/// The greatest resident memory of this process.
+fn peak_bytes() -> Option<u64> {
+    let status = fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    line.trim().strip_suffix(" kB")?.trim().parse().ok().map(|kib: u64| kib * 1024)
+}
+
+/// Runs the cases in child processes of `exe`, prints the table to `out` and writes `shadows.json` into the folder.
+/// The answer is the exit code.
+pub fn run(exe: &Path, cases: &[Case], folder: &Path, out: &mut impl Write) -> Result<u8> {
+    if cases.is_empty() {
+        return Err(Error::Usage(
+            "no shadow matches; a mesh and a light read `palms/0.4` or `bumpy-12000/1`".to_owned(),
+        ));
+    }
+    let (mut all, mut failures) = (Vec::new(), Vec::new());
+    for case in cases {
+        match child(exe, case) {
+            Ok(baked) => all.push(baked),
+            Err(error) => failures.push(error.to_string()),
+        }
+    }
+    out.write_all(table(&all).as_bytes())?;
+    let path = folder.join("shadows.json");
+    let mut text = serde_json::to_string_pretty(&all).map_err(|e| Error::file(&path, e.into()))?;
+    text.push('\n');
+    write_whole(&path, &text)?;
+    for failure in &failures {
+        writeln!(out, "FAILED: {failure}")?;
+    }
+    writeln!(out, "{} cases in {}, {} failed", all.len(), path.display(), failures.len())?;
+    Ok(if failures.is_empty() { EXIT_OK } else { EXIT_FAILED })
+}
+
+fn child(exe: &Path, case: &Case) -> Result<Baked> {
+    let name = format!("{}/{}", case.mesh, case.light);
+    let text = serde_json::to_string(case).map_err(|e| Error::Worker(e.to_string()))?;
+    let output = Command::new(exe).args(["shadow", &text]).stdin(Stdio::null()).output();
+    let output = output.map_err(|e| Error::Worker(format!("{}: {e}", exe.display())))?;
+    if !output.status.success() {
+        let words = String::from_utf8_lossy(&output.stderr);
+        return Err(Error::Worker(format!("{name} ended with {}: {}", output.status, words.trim())));
+    }
+    serde_json::from_slice(&output.stdout).map_err(|e| Error::Worker(format!("{name}: not a result: {e}")))
+}
+
+fn table(all: &[Baked]) -> String {
+    let head =
+        ["mesh", "triangles", "light", "s", "Mpairs", "Mlane-ops", "ns/lane-op", "Mrays/s", "hidden", "peak MiB"];
+    let mut lines = vec![head.map(str::to_owned).to_vec()];
+    lines.extend(all.iter().map(|baked| {
+        vec![
+            baked.case.mesh.clone(),
+            baked.triangles.to_string(),
+            baked.case.light.to_string(),
+            cell(Some(baked.median_ns / 1e9), 2),
+            cell(Some(baked.pairs as f64 / 1e6), 2),
+            cell(baked.lane_ops.map(|ops| ops as f64 / 1e6), 1),
+            cell(baked.ns_per_lane_op, 3),
+            cell(Some(baked.rays_per_second / 1e6), 1),
+            cell(Some(baked.hidden), 4),
+            cell(baked.peak_bytes.map(|bytes| bytes as f64 / f64::from(1 << 20)), 0),
+        ]
+    }));
+    let mut text = String::new();
+    Columns { left: 1, lines }.render(&mut text);
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cases_are_every_mesh_under_every_light_and_can_be_selected() {
+        assert_eq!(cases(Size::FULL, None).len(), 15);
+        let palms = cases(Size::FULL, Some(&Regex::new("^palms/0").unwrap()));
+        assert_eq!(palms.iter().map(|case| case.light).collect::<Vec<_>>(), [0.1, 0.4]);
+    }
+
+    #[test]
+    fn a_child_bakes_its_case_and_the_table_has_it() {
+        let size = Size { resolution: 32, samples: 32, runs: 2 };
+        let case = Case { mesh: "bumpy-1000".to_owned(), light: 0.4, size };
+        let mut out = Vec::new();
+        serve(&serde_json::to_string(&case).unwrap(), &mut out).unwrap();
+        let baked: Baked = serde_json::from_slice(&out).unwrap();
+        assert_eq!((baked.case.clone(), baked.runs_ns.len()), (case, 2));
+        assert!(baked.pairs > 0 && baked.lane_ops > Some(0) && baked.rays_per_second > 0.0);
+        assert!(baked.hidden > 0.0 && baked.hidden < 1.0, "{}", baked.hidden);
+        assert!(table(&[baked]).contains("bumpy-1000"));
+        assert!(serve("{}", &mut Vec::new()).is_err());
+        assert!(matches!(scene("moon"), Err(Error::Usage(_))));
+    }
+}
