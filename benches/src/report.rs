@@ -115,7 +115,7 @@ pub struct Group {
     pub subjects: String,
     /// Rows.
     pub count: usize,
-    /// Kernels that the rows belong to; each micro-kernel is one.
+    /// Kernels of the mean ratio, or of the rows where there is none; each micro-kernel is one.
     pub kernels: usize,
     /// Geometric mean of `ns_per_lane_op`: of each kernel's cases, then of the kernels.
     pub mean_ns_per_lane_op: Option<f64>,
@@ -188,7 +188,7 @@ fn group(rows: &[Row], (threads, simd, micro): (usize, &str, bool)) -> Group {
         simd: simd.to_owned(),
         subjects: if micro { MICRO } else { "kernels" }.to_owned(),
         count: rows.len(),
-        kernels: costs.len().max(ratios.len()),
+        kernels: if ratios.is_empty() { costs.len() } else { ratios.len() },
         faster: ratios.iter().filter(|ratio| **ratio < 1.0).count(),
         mean_ns_per_lane_op: geometric_mean(&costs),
         mean_ratio: geometric_mean(&ratios),
