@@ -1,7 +1,8 @@
-//! Every family of hard triangles, both kinds of view, cuts at the near plane, instances, items; and pictures of real size.
+//! Every family of hard triangles, both kinds of view, cuts at the near plane, instances, items; and pictures of real
+//! size.
 //!
-//! A case draws its meshes' depths, then their items, and tests the vertices of the first against the depths. Words past
-//! the picture must keep their mark.
+//! A case draws its meshes' depths, then their items, and tests the vertices of the first against the depths. Words
+//! past the picture must keep their mark.
 
 use sightlines_backend::{Case, Expected, Job, Outputs, Result, Size};
 

@@ -1,5 +1,5 @@
-// From vertices to the screen: clip coordinates, the cut at the near plane, the sub-pixel grid (docs/numerics.md, The raster,
-// steps 1 to 3). Every function is total: any words give coordinates within the bit budget.
+// From vertices to the screen: clip coordinates, the cut at the near plane, the sub-pixel grid (docs/numerics.md, The
+// raster, steps 1 to 3). Every function is total: any words give coordinates within the bit budget.
 
 import package::shared::divide::{fdiv64_sat, udiv64_32};
 import package::shared::wide::{add64, imul_wide};

@@ -32,7 +32,7 @@ fn sixteen(a: vec2<u32>, s: u32) -> vec2<u32> {
 }
 
 /// floor((start + i * right + j * down) / s) for i, j < 16 and remainders below s < 2^30.
-/// float: guess - the quotient is below 31 and the guess off by less than 1; the residual, exact modulo 2^32, corrects it
+/// float: guess - the quotient is below 31, the guess off by less than 1; the residual, exact modulo 2^32, corrects it
 fn carries(start: u32, i: u32, right: u32, j: u32, down: u32, s: u32) -> u32 {
     let sum = f32(start) + f32(i) * f32(right) + f32(j) * f32(down);
     let q = u32(sum / f32(s));

@@ -1,14 +1,15 @@
 // Depth and item buffers of indexed triangles, instance by instance, in integers.
 //
-// Laine and Karras, "High-Performance Software Rasterization on GPUs" (HPG 2011), section 3, has the fixed-point pipeline; the
-// buffers are those that Engelhardt and Dachsbacher, "Granular Visibility Queries on the GPU" (I3D 2009), section 3, count
-// pixels in. docs/numerics.md, "The raster", states the outputs exactly, step by step, and why every path meets them.
+// Laine and Karras, "High-Performance Software Rasterization on GPUs" (HPG 2011), section 3, has the fixed-point
+// pipeline; the buffers are those that Engelhardt and Dachsbacher, "Granular Visibility Queries on the GPU" (I3D 2009),
+// section 3, count pixels in. docs/numerics.md, "The raster", states the outputs exactly, step by step, and why every
+// path meets them.
 //
-// `clear` sets a buffer, bound as `depth`, to 2^32 - 1. `project` puts the vertices of all instances on the screen. `small` draws the
-// triangles of a few pixels, a lane each, and marks those that `large` draws: a workgroup each 256 triangles and band of rows,
-// one triangle after another, 256 pixels at a time. With ITEMS false both leave the least depth in `depth`; with ITEMS true,
-// once the depths of all meshes are known, they leave in `items` the least id of the triangles that have that depth. `points`
-// tells which projected points are not behind the depths of their pixels.
+// `clear` sets a buffer, bound as `depth`, to 2^32 - 1. `project` puts the vertices of all instances on the screen.
+// `small` draws the triangles of a few pixels, a lane each, and marks those that `large` draws: a workgroup each 256
+// triangles and band of rows, one triangle after another, 256 pixels at a time. With ITEMS false both leave the least
+// depth in `depth`; with ITEMS true, once the depths of all meshes are known, they leave in `items` the least id of the
+// triangles that have that depth. `points` tells which projected points are not behind the depths of their pixels.
 
 import package::raster::clip::{clip_coordinate, cut, on_screen};
 import package::raster::fitting::draw_fitting;

@@ -196,7 +196,8 @@ impl Maker {
     }
 }
 
-/// The placement of a shape whose x and y are sub-pixels about the picture's centre, y downwards, and z its depth over 512.
+/// The placement of a shape whose x and y are sub-pixels about the picture's centre, y downwards, and z its depth over
+/// 512.
 pub fn flat(picture: Picture) -> Placement {
     // As many clip units a sub-pixel as a factor holds, on the shorter side.
     let w = f64::from((picture.width.min(picture.height) << 16).min(1 << 22));
@@ -205,8 +206,8 @@ pub fn flat(picture: Picture) -> Placement {
     Placement::new(matrix).expect("the entries are small")
 }
 
-/// A camera at the origin that looks along z, with a view of 90 degrees across: x to the right, y up, `scale` clip units to
-/// the unit, near plane at `near` units. `at` and `size` place a mesh, turned by the `seed`-th rotation.
+/// A camera at the origin that looks along z, with a view of 90 degrees across: x to the right, y up, `scale` clip
+/// units to the unit, near plane at `near` units. `at` and `size` place a mesh, turned by the `seed`-th rotation.
 pub fn seen_from_origin(scale: f64, near: f64, at: [f64; 3], size: f64, seed: u32) -> Placement {
     let q = [0, 1, 2, 3].map(|i| f64::from(random::below(2001, seed, i)) - 1000.0);
     let length = q.iter().map(|c| c * c).sum::<f64>().sqrt().max(1.0);

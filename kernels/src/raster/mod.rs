@@ -3,8 +3,8 @@
 //! Laine and Karras, "High-Performance Software Rasterization on GPUs", section 3, for the pipeline; Engelhardt and
 //! Dachsbacher, "Granular Visibility Queries on the GPU", section 3, for what it is drawn for. `docs/numerics.md`, "The
 //! raster", states the outputs exactly. A picture is made in steps: [`Raster::record_clear`], then for every mesh
-//! [`Raster::project`] and [`Raster::record_depth`], then, where items are wanted, [`Raster::record_items`] for every mesh.
-//! Invariant: both buffers hold minima, so neither the order of meshes and triangles nor that of lanes can show.
+//! [`Raster::project`] and [`Raster::record_depth`], then, where items are wanted, [`Raster::record_items`] for every
+//! mesh. Invariant: both buffers hold minima, so neither the order of meshes and triangles nor that of lanes can show.
 
 use std::sync::Arc;
 
@@ -318,8 +318,8 @@ impl Raster {
         });
     }
 
-    /// Sets bit `p % 32` of word `p / 32` of `seen` for every projected vertex p that is in front, in the picture and not
-    /// behind: its depth is at most that of its pixel and `bias`.
+    /// Sets bit `p % 32` of word `p / 32` of `seen` for every projected vertex p that is in front, in the picture and
+    /// not behind: its depth is at most that of its pixel and `bias`.
     pub fn record_points(
         &self,
         job: &mut Job,

@@ -1,4 +1,5 @@
-//! The definition of `docs/numerics.md`, "The raster", step by step in 128-bit integers: every triangle asks every pixel.
+//! The definition of `docs/numerics.md`, "The raster", step by step in 128-bit integers: every triangle asks every
+//! pixel.
 
 use glam::IVec4;
 

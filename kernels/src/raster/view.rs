@@ -46,8 +46,8 @@ impl Picture {
 pub struct View {
     /// The picture.
     pub picture: Picture,
-    /// Least W that is divided by: W at the near plane, at least the longer side of the picture in pixels, so that screen
-    /// coordinates keep within their bits. An orthographic view has it as its W.
+    /// Least W that is divided by: W at the near plane, at least the longer side of the picture in pixels, so that
+    /// screen coordinates keep within their bits. An orthographic view has it as its W.
     pub near: i32,
 }
 
@@ -66,8 +66,8 @@ impl View {
 
 /// How an instance's vertices become clip coordinates: rows for X, Y, Z and W, each three factors in 1/65536 and a sum.
 ///
-/// X grows to the right and Y upwards; the picture shows -W <= X, Y <= W and Z >= 0, and Z / W is its depth, 0 at the near
-/// plane and 1 at the last depth that is told apart.
+/// X grows to the right and Y upwards; the picture shows -W <= X, Y <= W and Z >= 0, and Z / W is its depth, 0 at the
+/// near plane and 1 at the last depth that is told apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Placement {
     /// The rows.

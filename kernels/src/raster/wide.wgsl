@@ -1,7 +1,8 @@
 // Triangles of any size: as `fitting`, in 64 bits.
 //
-// Invariant: screen coordinates are within 2^28 of the picture's centre, so twice the area is at most 2^58, and so are edge
-// functions in the box. Everything but the test and the depth of a pixel is uniform, and few triangles are this large.
+// Invariant: screen coordinates are within 2^28 of the picture's centre, so twice the area is at most 2^58, and so are
+// edge functions in the box. Everything but the test and the depth of a pixel is uniform, and few triangles are this
+// large.
 
 import package::shared::raster::tie;
 import package::shared::wide::{add64, imul_wide, ltu64, neg64, shl64, sub64, umul_wide};

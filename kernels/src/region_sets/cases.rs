@@ -1,7 +1,7 @@
 //! From no object to 2,000: figures of the paper, rectangles that nest and touch, discs on a screen, small limits.
 //!
-//! A case makes regions, paints every channel from an item buffer, sums the tables and counts, in the whole picture and in
-//! a part of it for each object. Objects are squares or the discs of a screen, outlined by octagons.
+//! A case makes regions, paints every channel from an item buffer, sums the tables and counts, in the whole picture and
+//! in a part of it for each object. Objects are squares or the discs of a screen, outlined by octagons.
 
 use glam::UVec4;
 use sightlines_backend::{Case, Expected, Job, Result, Size};
@@ -116,7 +116,8 @@ fn discs_of(count: u32, radius: u32, [width, height]: [u32; 2], seed: u32) -> Sc
                 items[(y * width + x) as usize] = object;
             }
         }
-        // An octagon around the disc and its pixels' far corners: 5/12 exceeds the tangent of an eighth of a turn by half.
+        // An octagon around the disc and its pixels' far corners: 5/12 exceeds the tangent of an eighth of a turn by
+        // half.
         let (far, near) = (r + 2, (r + 2) * 5 / 12 + 1);
         let ring = [(-near, -far), (near, -far), (far, -near), (far, near), (near, far), (-near, far), (-far, near)];
         let ring = ring.into_iter().chain([(-far, -near)]);

@@ -1,7 +1,8 @@
 // Chaitin and Briggs' colouring of the conflict graph, by one workgroup of 256 lanes; a lane owns every 256th object.
 //
-// Invariant: what a lane owns no other lane writes, and the two reductions are a minimum and a union, so one barrier a step is
-// enough: of three slots one is used, one was read before the last barrier, one is made ready for the step after the next.
+// Invariant: what a lane owns no other lane writes, and the two reductions are a minimum and a union, so one barrier a
+// step is enough: of three slots one is used, one was read before the last barrier, one is made ready for the step
+// after the next.
 
 require NONE: u32;
 

@@ -1,16 +1,16 @@
 // Region sets: which rectangles of which colour channels to sum, to count the visible pixels of many objects by tables.
 //
-// Engelhardt and Dachsbacher, "Granular Visibility Queries on the GPU" (I3D 2009), sections 3.1.1 to 3.1.3; the colouring is
-// that of Chaitin and Briggs, as Muchnick, "Advanced Compiler Design and Implementation" (1997), has it.
+// Engelhardt and Dachsbacher, "Granular Visibility Queries on the GPU" (I3D 2009), sections 3.1.1 to 3.1.3; the
+// colouring is that of Chaitin and Briggs, as Muchnick, "Advanced Compiler Design and Implementation" (1997), has it.
 //
-// `conflicts` finds the pairs of objects whose bounding rectangles overlap. `colour` takes away the object with the fewest
-// remaining conflicts, lowest number first, until none is left, then puts them back in reverse and gives each the lowest
-// channel that none of its neighbours has; one that finds none is a conflict object. `split` divides the rectangle of one
-// conflict object after another (split.wgsl). The regions of an object are disjoint and hold all its pixels, so a count is
-// never less than what is visible; it is more only where two objects share a channel.
+// `conflicts` finds the pairs of objects whose bounding rectangles overlap. `colour` takes away the object with the
+// fewest remaining conflicts, lowest number first, until none is left, then puts them back in reverse and gives each
+// the lowest channel that none of its neighbours has; one that finds none is a conflict object. `split` divides the
+// rectangle of one conflict object after another (split.wgsl). The regions of an object are disjoint and hold all its
+// pixels, so a count is never less than what is visible; it is more only where two objects share a channel.
 //
-// `paint` draws an item buffer in one channel: 1 where the pixel's region is of that channel. `count` adds the sums of a
-// channel's table over the regions of every object, cut to a rectangle of the object's own.
+// `paint` draws an item buffer in one channel: 1 where the pixel's region is of that channel. `count` adds the sums of
+// a channel's table over the regions of every object, cut to a rectangle of the object's own.
 
 import package::region_sets::colour::colour_graph;
 import package::region_sets::split::split_object;

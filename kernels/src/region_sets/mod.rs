@@ -1,9 +1,10 @@
-//! Region sets: which rectangles of which colour channels to sum, to count the visible pixels of many objects by tables.
+//! Region sets: which rectangles of which colour channels to sum, to count the visible pixels of many objects by
+//! tables.
 //!
 //! Engelhardt and Dachsbacher, "Granular Visibility Queries on the GPU", sections 3.1.1 to 3.1.3: a conflict graph of
-//! bounding rectangles, its colouring after Chaitin and Briggs, and the division of what finds no colour. The texts of this
-//! folder state every step and every choice that the paper leaves open. Invariant: the regions of an object are disjoint
-//! and hold all its pixels, so no count is ever less than what is visible.
+//! bounding rectangles, its colouring after Chaitin and Briggs, and the division of what finds no colour. The texts of
+//! this folder state every step and every choice that the paper leaves open. Invariant: the regions of an object are
+//! disjoint and hold all its pixels, so no count is ever less than what is visible.
 
 use std::sync::Arc;
 
@@ -166,9 +167,10 @@ impl RegionSets {
         Ok(RegionSets { program })
     }
 
-    /// Makes the regions of objects, each given by the bounding rectangle of its pixels (x0, y0, x1, y1, half-open, within
-    /// the picture) and a convex outline of them with [`CORNERS`] corners, which turn as x to y and may repeat. An outline
-    /// that leaves pixels out makes counts wrong; the rectangle itself is a good one where nothing better is known.
+    /// Makes the regions of objects, each given by the bounding rectangle of its pixels (x0, y0, x1, y1, half-open,
+    /// within the picture) and a convex outline of them with [`CORNERS`] corners, which turn as x to y and may repeat.
+    /// An outline that leaves pixels out makes counts wrong; the rectangle itself is a good one where nothing better is
+    /// known.
     pub fn record(
         &self,
         job: &mut Job,
@@ -234,8 +236,8 @@ impl RegionSets {
         Ok(regions)
     }
 
-    /// Paints a channel: 1 in every pixel of `image` whose item, an object's number, has its region there in the channel;
-    /// 0 in the others. Both have a word a pixel.
+    /// Paints a channel: 1 in every pixel of `image` whose item, an object's number, has its region there in the
+    /// channel; 0 in the others. Both have a word a pixel.
     pub fn record_paint(
         &self,
         job: &mut Job,
@@ -266,8 +268,8 @@ impl RegionSets {
         Ok(())
     }
 
-    /// Adds to `sums`, a word an object, the pixels that `table` of a channel has in the object's regions, cut to its rectangle
-    /// of `queries`. Over all channels this is the object's visible count there, or more.
+    /// Adds to `sums`, a word an object, the pixels that `table` of a channel has in the object's regions, cut to its
+    /// rectangle of `queries`. Over all channels this is the object's visible count there, or more.
     pub fn record_count(
         &self,
         job: &mut Job,

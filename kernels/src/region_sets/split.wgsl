@@ -1,15 +1,16 @@
 // Divides the rectangle of a conflict object among channels, by one workgroup of 64 lanes; a lane owns a piece.
 //
-// The pieces begin as the bounding rectangle. Each region that exists, by objects and then by their regions, divides every piece
-// that it overlaps and in which its channel is still free. The overlap may hold, by the outlines of the two objects, pixels of
-// neither: nothing happens; only of the other: it is dropped; of this one, or of both: it becomes a piece in which the channel
-// is occupied. What is left of the piece makes up to four more, above, left, right and below. Where that would make more than
-// `limit` pieces, only pieces that lie wholly in the region are dropped or occupied, and visibility may be over-estimated. Then
-// pairs of pieces that make a rectangle and leave a channel free are merged, the first pair first. A piece gets the channel in
-// which regions overlap it least, by pixels; lowest number among equals, so a free one if there is one.
+// The pieces begin as the bounding rectangle. Each region that exists, by objects and then by their regions, divides
+// every piece that it overlaps and in which its channel is still free. The overlap may hold, by the outlines of the two
+// objects, pixels of neither: nothing happens; only of the other: it is dropped; of this one, or of both: it becomes a
+// piece in which the channel is occupied. What is left of the piece makes up to four more, above, left, right and
+// below. Where that would make more than `limit` pieces, only pieces that lie wholly in the region are dropped or
+// occupied, and visibility may be over-estimated. Then pairs of pieces that make a rectangle and leave a channel free
+// are merged, the first pair first. A piece gets the channel in which regions overlap it least, by pixels; lowest
+// number among equals, so a free one if there is one.
 //
-// lavapipe ends all loops of an invocation after 65,535 turns. A region that an object meets takes about 50, so a dispatch
-// divides one object, and loops over lanes are few.
+// lavapipe ends all loops of an invocation after 65,535 turns. A region that an object meets takes about 50, so a
+// dispatch divides one object, and loops over lanes are few.
 
 require NONE: u32;
 
