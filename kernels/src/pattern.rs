@@ -114,12 +114,11 @@ impl Pattern {
         [0, 1].map(|axis| (least[axis] + greatest[axis]).div_euclid(2))
     }
 
-    /// The least h for which all samples lie strictly inside the square of half side 2^h about the centre; at most 15.
+    /// The least h for which all samples lie in the square of half side 2^h about the centre; at most 14.
     pub fn half_side_bits(&self) -> u32 {
         let centre = self.centre();
         let reach = self.points.iter().flat_map(|p| [0, 1].map(|axis| p[axis].abs_diff(centre[axis]))).max();
-        let reach = reach.expect("a pattern has a sample");
-        u32::BITS - reach.leading_zeros()
+        reach.expect("a pattern has a sample").next_power_of_two().ilog2()
     }
 
     /// A regular grid whose outermost samples enclose the pattern: what can hide none of its samples, as
@@ -209,10 +208,11 @@ mod tests {
             let pattern = Pattern::new(points, 32).expect("they are on the grid");
             let (centre, half) = (pattern.centre(), 1 << pattern.half_side_bits());
             let samples = pattern.enclosing();
+            assert!(pattern.half_side_bits() <= 14);
             samples.check().expect("a grid of samples");
             let last = samples.at(samples.count() - 1);
             for point in pattern.points() {
-                assert!((0..2).all(|axis| (point[axis] - centre[axis]).abs() < half), "{point:?}");
+                assert!((0..2).all(|axis| (point[axis] - centre[axis]).abs() <= half), "{point:?}");
                 assert!((0..2).all(|axis| (samples.origin[axis]..=last[axis]).contains(&point[axis])), "{point:?}");
             }
         }

@@ -151,6 +151,18 @@ pub fn corners(count: u32, receivers: &Receivers) -> Vec<Triangle> {
     (0..count).map(|i| [corner(3 * i), corner(3 * i + 1), corner(3 * i + 2)]).collect()
 }
 
+/// For the first receiver of each tile in turn, a triangle of a few units right below it: lines with small coefficients.
+pub fn contacts(tile: [u32; 2], receivers: &Receivers) -> Vec<Triangle> {
+    let corners = (0..receivers.rows).step_by(tile[1] as usize).flat_map(|y| {
+        (0..receivers.columns).step_by(tile[0] as usize).map(move |x| receivers.at(y * receivers.columns + x))
+    });
+    let near = |[x, y, z]: Point, i: u32| {
+        let by = |axis: u32, reach: u32| random::below(reach, 31, 3 * i + axis) as i32;
+        [x + by(0, 13) - 6, y + by(1, 13) - 6, z - 1 - by(2, 6)]
+    };
+    (0..).zip(corners).map(|(i, r)| [near(r, 3 * i), near(r, 3 * i + 1), near(r, 3 * i + 2)]).collect()
+}
+
 struct Maker<'a> {
     samples: &'a Samples,
     receivers: Lattice,

@@ -4,15 +4,15 @@
 // pattern, and works for any pattern. Output, for every cell and every word of a mask, samples s in bit s % bits of word
 // s / bits, coordinates about the centre of the pattern:
 //
-//     build_exact     cells of the L1 line space (`line_cell.wgsl`) widened on every side by a slack: at 2 * words * cell
+//     build_exact     cells of the L1 line space (`line_cell.wgsl`) widened on every side by its slack: at 2 * words * cell
 //                     the samples that lie strictly inside every half-plane of the cell, at words more those that lie
 //                     outside not every one
 //     build_sampled   texels (angle, distance) of the Hough space, 2^k of each: at words * texel the samples inside the
 //                     half-plane of the texel's centre
 //
 // A half-plane's value at a sample is affine in the direction t and in the offset, so its extremes over a cell are at the
-// corners: ((T - t) u +- t v + (o - T) 2^h) / T for t and o in units of 1 / T. One such unit is the slack, no less than what
-// `line_cell_fast` asks for. With 2^h T <= 2^30 and |u|, |v| < 2^h both sides of every comparison stay below 2^31.
+// corners: ((T - t) u +- t v + (o - T) 2^h) / T for t and o in units of 1 / T, the slack. With T <= 2^16, |u|, |v| <= 2^h
+// and h <= 14 both sides of every comparison stay below 2^31.
 
 import package::shared::line::{Line, line_flip};
 
@@ -20,7 +20,7 @@ struct Params {
     /// Cell of the first invocation.
     first: u32,
     cells: u32,
-    /// Samples lie inside the square of half side 2^h.
+    /// Samples lie in the square of half side 2^h.
     h: u32,
     /// log2 of the number of directions, or of angles.
     k: u32,
@@ -49,7 +49,7 @@ struct Corners {
 
 fn corners(cell: u32) -> Corners {
     let k = params.k;
-    let slack = min(10u, 30u - k - max(params.h, 14u));
+    let slack = min(10u, 16u - k);
     let whole = 1i << (k + slack);
     let offset = bitcast<i32>((cell & ((2u << k) - 1u)) << slack);
     let direction = bitcast<i32>(((cell >> (k + 1u)) & ((1u << k) - 1u)) << slack);

@@ -4,19 +4,21 @@
 use sightlines_backend::host::Buffer;
 use sightlines_backend::{Case, Expected, Job, Outputs, Result, Size};
 
-use super::{LineMask, Resolution, Space, oracle, record_differ, tile_shape};
+use super::{LineMask, Resolution, Space, TILE, oracle, record_differ, record_masks};
 use crate::grid::{Receivers, Samples, Triangle, XY};
 use crate::influence_region::oracle::region;
 use crate::pattern::Pattern;
 use crate::random;
-use crate::row_span::{Scene, Tiles};
-use crate::triangles::{Family, corners, crossing, levels};
+use crate::row_span::Tiles;
+use crate::triangles::{Family, contacts, corners, crossing, levels};
 
 const FEW: Receivers = Receivers { origin: [-1500, -1100], step: [290, 370], height: 24_576, columns: 11, rows: 7 };
 const MANY: Receivers = Receivers { origin: [-4080, -4080], step: [64, 64], height: 24_576, columns: 128, rows: 128 };
 /// As wide as the grid.
 const WIDE: Receivers =
     Receivers { origin: [-16_384, -16_384], step: [3276, 4095], height: 32_767, columns: 11, rows: 9 };
+/// 77 tiles, each with a triangle of its own.
+const SOLO: Receivers = Receivers { origin: [-1500, -1100], step: [72, 92], height: 24_576, columns: 44, rows: 28 };
 /// Where the paper's table is measured.
 const PENUMBRA: Receivers =
     Receivers { origin: [-1600, -1600], step: [160, 160], height: 24_576, columns: 20, rows: 20 };
@@ -92,36 +94,35 @@ pub(super) fn all() -> Vec<Case> {
         thicket("thicket_64", halton(64)),
     ];
     cases.extend(Family::ALL.map(|family| {
-        let make = move |s: &Samples, r: &Receivers| family.triangles(24, s, r, 3);
-        masks(&format!("family_{}", family.name()), halton(124), exact(6), FEW, make)
+        let make = move |s: &Samples, r: &Receivers| family.triangles(77, s, r, 3);
+        solo(&format!("family_{}", family.name()), halton(64), exact(5), make)
     }));
+    cases.push(solo("solo_crossing", halton(64), exact(5), |s, r| crossing(77, s, r)));
+    cases.push(solo("solo_contacts", halton(64), exact(5), |_, r| contacts(TILE, r)));
+    cases.push(solo("solo_levels", halton(64), exact(5), |_, r| levels(r.height).split_off(20)));
+    cases.push(solo("solo_channels_124", channels(124), exact(4), mixed_77));
+    cases.push(solo("solo_paper", halton(64), sampled(6), mixed_77));
     cases
+}
+
+/// Several of every family, one after the other.
+fn mixed_77(samples: &Samples, receivers: &Receivers) -> Vec<Triangle> {
+    Family::ALL.into_iter().flat_map(|family| family.triangles(8, samples, receivers, 5)).take(77).collect()
 }
 
 fn mixed(samples: &Samples, receivers: &Receivers) -> Vec<Triangle> {
     Family::ALL.into_iter().flat_map(|family| family.triangles(3, samples, receivers, 5)).collect()
 }
 
-/// The tiles that triangles lie in.
-fn tiles(pattern: &Pattern, receivers: &Receivers, triangles: &[Triangle]) -> Tiles {
+fn regions(pattern: &Pattern, receivers: &Receivers, triangles: &[Triangle]) -> Vec<[i32; 4]> {
     let samples = pattern.enclosing();
-    let regions: Vec<[i32; 4]> = triangles.iter().map(|t| region(t, &samples, receivers)).collect();
-    let [width, height] = tile_shape(pattern);
-    Tiles::new([width, height.max(4).next_multiple_of(height)], receivers, &regions)
+    triangles.iter().map(|t| region(t, &samples, receivers)).collect()
 }
 
-/// Buffers of triangles in tiles.
-fn scene(job: &mut Job, pattern: &Pattern, receivers: &Receivers, tiles: &Tiles, triangles: &[Triangle]) -> Scene {
-    let coordinates: Vec<i32> = triangles.iter().flatten().flatten().copied().collect();
-    // A binding holds at least one element.
-    let vertices = job.slice("vertices", if coordinates.is_empty() { &[0] } else { &coordinates[..] });
-    let starts = job.slice("starts", &tiles.starts);
-    let entries = job.slice("entries", if tiles.entries.is_empty() { &[0] } else { &tiles.entries[..] });
-    let hidden = job.zeroed("hidden", u64::from(receivers.count()) * u64::from(pattern.words()));
-    Scene { vertices, starts, entries, hidden }
+fn tiles(pattern: &Pattern, receivers: &Receivers, triangles: &[Triangle]) -> Tiles {
+    Tiles::new(TILE, receivers, &regions(pattern, receivers, triangles))
 }
 
-/// Records table and masks; returns the masks.
 fn record(
     job: &mut Job,
     pattern: &Pattern,
@@ -129,12 +130,7 @@ fn record(
     receivers: &Receivers,
     triangles: &[Triangle],
 ) -> Result<Buffer<[u32]>> {
-    let kernel = LineMask::new(pattern, resolution)?;
-    let tiles = tiles(pattern, receivers, triangles);
-    let scene = scene(job, pattern, receivers, &tiles, triangles);
-    let table = kernel.record_table(job);
-    kernel.record(job, receivers, &tiles, table, scene)?;
-    Ok(scene.hidden)
+    record_masks(job, pattern, resolution, receivers, &tiles(pattern, receivers, triangles), triangles)
 }
 
 fn masks(
@@ -167,6 +163,32 @@ fn masks(
     Case::new(name, Size::Small, job, expected).probes(probes)
 }
 
+/// One triangle a tile: what it hides too much is not covered up by others.
+fn solo(
+    name: &str,
+    pattern: Pattern,
+    resolution: Resolution,
+    make: impl Fn(&Samples, &Receivers) -> Vec<Triangle> + Copy + Send + Sync + 'static,
+) -> Case {
+    let tiles = Tiles::solo(TILE, &SOLO);
+    let (answered, lists) = (pattern.clone(), tiles.clone());
+    let job = move || {
+        let mut job = Job::new();
+        let triangles = make(&pattern.enclosing(), &SOLO);
+        let hidden = record_masks(&mut job, &pattern, resolution, &SOLO, &tiles, &triangles)?;
+        job.read("hidden", hidden.id());
+        Ok(job)
+    };
+    let expected = move |_: &Outputs| {
+        let triangles = make(&answered.enclosing(), &SOLO);
+        vec![Expected::Whole(match resolution.space {
+            Space::Exact => oracle::tile_sets(&answered, &SOLO, &lists, &triangles),
+            Space::Sampled => oracle::sampled_sets(&answered, resolution.bits, &SOLO, &lists, &triangles),
+        })]
+    };
+    Case::new(name, Size::Small, job, expected).probes((0..8).map(|tile| SOLO.columns * 2 + 4 * tile))
+}
+
 /// The table itself.
 fn table(name: &str, pattern: Pattern, resolution: Resolution) -> Case {
     let cells = resolution.cells();
@@ -187,7 +209,8 @@ fn table(name: &str, pattern: Pattern, resolution: Resolution) -> Case {
                 oracle::texel(&answered, &axes, angle as usize, distance as usize)
             }
         };
-        vec![Expected::Whole((0..cells).flat_map(cell).collect())]
+        let empty = std::iter::repeat_n(0, words as usize);
+        vec![Expected::Whole((0..cells).flat_map(cell).chain(empty).collect())]
     };
     Case::new(name, Size::Small, job, expected).probes((0..8).map(|i| i * (cells / 8) * words + words - 1))
 }
@@ -238,8 +261,7 @@ fn thicket(name: &str, pattern: Pattern) -> Case {
     };
     let expected = move |_: &Outputs| {
         let triangles = leaves(&answered);
-        let samples = answered.enclosing();
-        let regions: Vec<[i32; 4]> = triangles.iter().map(|t| region(t, &samples, &MANY)).collect();
+        let regions = regions(&answered, &MANY, &triangles);
         let looks = (0..32).map(|index| random::below(MANY.count(), SEED, index));
         let words = looks.flat_map(|receiver| {
             let (x, y) = ((receiver % MANY.columns) as i32, (receiver / MANY.columns) as i32);

@@ -10,50 +10,55 @@
 // are possibly inside all half-planes and not certainly are decided by the signs of the lines themselves. So the masks
 // are those of the definition in `grid.rs`, bit for bit, whatever the table's size, and whichever of the cells within its
 // slack `line_cell_fast` returns. Otherwise the table is the paper's: one mask for each angle and distance, taken as it is,
-// and wrong for the samples between the line and the centre of its texel.
+// and wrong for the samples between the line and the centre of its texel. Past its last cell a table has one without samples;
+// inverted it is the cell of a half-plane that covers the square.
 //
-// Nothing is assumed of a triangle. One that reaches the source or the receivers' plane has its own plane as a fourth line.
+// Nothing is assumed of a triangle. The edges' half-planes are a cone of one side, so what is above the receiver is no special
+// case; one that reaches down to the source has its own plane as a fourth line, for the samples that lie on it.
 //
-// One workgroup serves width * height receivers. For some triangles at a time, first one invocation a pair of triangle and
-// receiver finds its lines and cells, then one a receiver and word of its mask looks up. Coordinates are relative to the
-// centre of the pattern: differences are below 2^15, x and y below 2^15 in magnitude, |c| < 2^48.
+// One workgroup serves WIDTH * HEIGHT receivers and takes BATCH triangles at a time: first an invocation a pair of triangle
+// and receiver finds its lines and cells, then the pairs that hide anything are listed in their order, and an invocation
+// a listed pair and word of its mask looks up. Coordinates are relative to the centre of the pattern: differences are below
+// 2^15, x and y below 2^15 in magnitude, |c| < 2^48.
 
 import package::line_mask::hough::texel;
 import package::shared::backprojection::backproject;
 import package::shared::crossing::edge_function;
-import package::shared::line::{Line, half_plane};
+import package::shared::line::{Line, line_flip};
 import package::shared::line_cell::{CELL_ALL, CELL_NONE, line_cell_fast};
 import package::shared::view::{View, receiver_at, below};
 import package::shared::wide::{dot64, sgn64};
 
 /// Whether the table is one of certain and possible samples.
 const EXACT: bool = true;
+/// Receivers of a workgroup along x and y, and all of them.
+const WIDTH: u32 = 4u;
+const HEIGHT: u32 = 4u;
+const COUNT = WIDTH * HEIGHT;
+/// Triangles at a time.
+const BATCH = 128u / COUNT;
 
 struct Params {
     /// Receiver row of the first workgroup row.
     first_row: u32,
     /// Receiver rows that share a tile list.
     tile_rows: u32,
-    /// Tiles along x.
+    /// Tiles along x, WIDTH receivers each.
     tiles: u32,
-    /// Receivers of a workgroup along x and y.
-    width: u32,
-    height: u32,
-    /// Triangles at a time: batch * width * height <= 256.
-    batch: u32,
-    /// The centre of the pattern; the samples lie inside the square of half side 2^h about it.
+    /// The centre of the pattern; the samples lie in the square of half side 2^h about it.
     centre_x: i32,
     centre_y: i32,
     h: u32,
     /// log2 of the table's directions, or angles.
     k: u32,
     samples: u32,
-    /// Samples of a word, and words of a mask: words * width * height <= 256.
+    /// Samples of a word.
     bits: u32,
+    /// Words of a mask, at most 2^shift, which is at most 32.
     words: u32,
-    _pad0: u32,
-    _pad1: u32,
-    _pad2: u32,
+    shift: u32,
+    /// Where the words of the cell without samples begin.
+    empty: u32,
     view: View,
 }
 
@@ -68,15 +73,22 @@ struct Params {
 @group(0) @binding(5) var<storage, read> table: array<u32>;
 @group(0) @binding(6) var<storage, read_write> hidden: array<atomic<u32>>;
 
-/// The edges' lines and cells; the fourth cell is that of the triangle's own plane. The first is `CELL_NONE` if any is.
+/// The edges' lines, and where the table knows of them and of the triangle's own plane: the cell's first word, and bit 31
+/// where it is to be inverted. A line that covers the square is 0 u + 0 v + 0 >= 0.
 struct Pair {
     first: Line,
     second: Line,
     third: Line,
-    cells: vec4<u32>,
+    rows: vec4<u32>,
 }
 
-var<workgroup> pairs: array<Pair, 256>;
+var<workgroup> pairs: array<Pair, 128>;
+/// A bit for each pair of which no cell is `CELL_NONE`.
+var<workgroup> alive: array<atomic<u32>, 4>;
+/// Those pairs in ascending order.
+var<workgroup> order: array<u32, 128>;
+/// What the workgroup has found: word w of receiver i at i << shift | w.
+var<workgroup> masks: array<atomic<u32>, 512>;
 
 fn centred(p: vec3<i32>) -> vec3<i32> {
     return p - vec3<i32>(params.centre_x, params.centre_y, 0);
@@ -87,6 +99,9 @@ fn vertex(triangle: u32, corner: u32) -> vec3<i32> {
     return centred(vec3<i32>(vertices[at], vertices[at + 1u], vertices[at + 2u]));
 }
 
+/// Masks of a cell.
+const SETS = select(1u, 2u, EXACT);
+
 fn cell_of(ln: Line) -> u32 {
     if (EXACT) {
         return line_cell_fast(ln, params.h, params.k);
@@ -94,103 +109,160 @@ fn cell_of(ln: Line) -> u32 {
     return texel(ln, params.h, params.k);
 }
 
-/// The cell of the triangle's own plane: samples on it are outside, so a plane that is the source's holds none.
-fn own_cell(own: Line) -> u32 {
-    let nowhere = (own.a == 0) & (own.b == 0) & ((own.c.x | own.c.y) == 0u);
-    return select(cell_of(own), CELL_NONE, nowhere);
+/// Where the words of a cell begin.
+fn row_of(cell: u32) -> u32 {
+    let row = (cell & 0x7fffffffu) * (SETS * params.words);
+    return select(row | (cell & 0x80000000u), params.empty | 0x80000000u, cell == CELL_ALL);
 }
 
-fn prepare(pair: u32, triangle: u32, r: vec3<i32>) {
+fn relevant(ln: Line, cell: u32) -> Line {
+    let covers = cell == CELL_ALL;
+    return Line(select(ln.a, 0, covers), select(ln.b, 0, covers), select(ln.c, vec2<u32>(0u), covers));
+}
+
+/// Finds lines and cells of a pair; whether it may hide anything.
+fn prepare(pair: u32, triangle: u32, r: vec3<i32>) -> bool {
     let a = vertex(triangle, 0u);
     let b = vertex(triangle, 1u);
     let c = vertex(triangle, 2u);
     let found = backproject(r, a, b, c);
-    var cells = vec4<u32>(cell_of(found.first), cell_of(found.second), cell_of(found.third), CELL_ALL);
-    if ((min(min(a.z, b.z), c.z) <= 0) | (max(max(a.z, b.z), c.z) >= r.z)) {
-        cells.w = own_cell(found.own);
+    let x = cell_of(found.first);
+    let y = cell_of(found.second);
+    let z = cell_of(found.third);
+    var own = CELL_ALL;
+    if (min(min(a.z, b.z), c.z) <= 0) {
+        // Samples on the plane are outside, so a plane that is the source's holds none.
+        let nowhere = (found.own.a == 0) & (found.own.b == 0) & ((found.own.c.x | found.own.c.y) == 0u);
+        own = select(cell_of(found.own), CELL_NONE, nowhere);
     }
-    if (any(cells == vec4<u32>(CELL_NONE))) {
-        cells.x = CELL_NONE;
-    }
-    pairs[pair] = Pair(found.first, found.second, found.third, cells);
+    let rows = vec4<u32>(row_of(x), row_of(y), row_of(z), row_of(own));
+    pairs[pair] = Pair(relevant(found.first, x), relevant(found.second, y), relevant(found.third, z), rows);
+    return (x != CELL_NONE) & (y != CELL_NONE) & (z != CELL_NONE) & (own != CELL_NONE);
 }
 
 /// The samples of a word that are certainly, and those that are possibly, in a half-plane.
-fn known(cell: u32, word: u32) -> vec2<u32> {
-    if (cell >= CELL_NONE) {
-        return vec2<u32>(0u - (cell & 1u));
-    }
+fn known(row: u32, word: u32) -> vec2<u32> {
+    let inverted = 0u - (row >> 31u);
+    let at = (row & 0x7fffffffu) + word;
     if (EXACT) {
-        let at = 2u * params.words * (cell & 0x7fffffffu) + word;
-        let sets = vec2<u32>(table[at], table[at + params.words]);
-        return select(sets, ~sets.yx, (cell >> 31u) != 0u);
+        let turn = inverted & params.words;
+        return vec2<u32>(table[at + turn], table[at + params.words - turn]) ^ vec2<u32>(inverted);
     }
-    return vec2<u32>(table[params.words * cell + word]);
+    return vec2<u32>(table[at] ^ inverted);
 }
 
-/// Whether a triangle hides a sample from r, decided by signs.
-fn decide(pair: u32, triangle: u32, r: vec3<i32>, sample: u32) -> bool {
-    let at = samples[sample];
-    let inner = half_plane(pairs[pair].first, at.x, at.y) & half_plane(pairs[pair].second, at.x, at.y)
-        & half_plane(pairs[pair].third, at.x, at.y);
-    if (pairs[pair].cells.w == CELL_ALL) {
-        return inner;
-    }
+/// `half_plane` for a line that is in the table, and so passes the square or covers it.
+///
+/// The value is that of 16 low bits and 32 high ones, T = floor(value / 2^16). With |u|, |v| <= 2^14, low parts of a and b
+/// below 2^16, |c| <= (1 + 2^-16) 2^14 (|a| + |b|) and |a| + |b| <= 2^32 - 2^17 (a component of a normal is a difference of
+/// two products below 2^30), the sum of the low products is below 2^31 and |value| below 2^47: both are exact in 32 bits.
+fn inside(ln: Line, u: i32, v: i32) -> bool {
+    let low = (ln.a & 0xffff) * u + (ln.b & 0xffff) * v;
+    let rest = (low & 0xffff) + bitcast<i32>(ln.c.x & 0xffffu);
+    let c = bitcast<i32>((ln.c.y << 16u) | (ln.c.x >> 16u));
+    let high = (ln.a >> 16u) * u + (ln.b >> 16u) * v + c + (low >> 16u) + (rest >> 16u);
+    return select(high >= 0, !line_flip(ln), (high | (rest & 0xffff)) == 0);
+}
+
+/// Whether a sample is strictly on the other side of a triangle's plane than r.
+fn beyond(triangle: u32, r: vec3<i32>, at: vec2<i32>) -> bool {
     let a = vertex(triangle, 0u);
     let n = edge_function(a, vertex(triangle, 1u), vertex(triangle, 2u));
-    let sides = sgn64(dot64(n, r - a)) * sgn64(dot64(n, vec3<i32>(at, 0) - a));
-    return inner & (sides < 0);
+    return sgn64(dot64(n, r - a)) * sgn64(dot64(n, vec3<i32>(at, 0) - a)) < 0;
 }
 
-/// The samples of a word that a triangle hides from r, without those of `found` that need a decision.
-fn mask_of(pair: u32, triangle: u32, r: vec3<i32>, word: u32, found: u32) -> u32 {
-    let cells = pairs[pair].cells;
-    if (cells.x == CELL_NONE) {
-        return 0u;
+/// The samples of a word that the triangle of a pair, in the list from `start` on, hides from its receiver.
+fn mask_of(group: vec2<u32>, pair: u32, start: u32, word: u32) -> u32 {
+    let rows = pairs[pair].rows;
+    let touches = rows.w != (params.empty | 0x80000000u);
+    let there = below(min(params.bits, params.samples - word * params.bits));
+    var sets = known(rows.x, word) & known(rows.y, word) & known(rows.z, word) & vec2<u32>(there);
+    if (touches) {
+        sets &= known(rows.w, word);
     }
-    let sets = known(cells.x, word) & known(cells.y, word) & known(cells.z, word) & known(cells.w, word);
     var mask = sets.x;
     if (EXACT) {
-        var doubtful = sets.y & ~sets.x & ~found & below(min(params.bits, params.samples - word * params.bits));
+        var doubtful = sets.y & ~sets.x;
         while (doubtful != 0u) {
             let bit = firstTrailingBit(doubtful);
             doubtful &= doubtful - 1u;
-            mask |= select(0u, 1u << bit, decide(pair, triangle, r, word * params.bits + bit));
+            let at = samples[word * params.bits + bit];
+            var hides = inside(pairs[pair].first, at.x, at.y) & inside(pairs[pair].second, at.x, at.y)
+                & inside(pairs[pair].third, at.x, at.y);
+            if (touches & hides) {
+                hides = beyond(entries[start + pair / COUNT], receiver(group, pair % COUNT), at);
+            }
+            mask |= select(0u, 1u << bit, hides);
         }
     }
     return mask;
 }
 
-@compute @workgroup_size(256)
-fn line_mask(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    let corner = vec2<u32>(group.x * params.width, params.first_row + group.y * params.height);
-    let tile = (corner.y / params.tile_rows) * params.tiles + group.x;
-    let receivers = params.width * params.height;
-    let word = lane % params.words;
-    let mine = lane / params.words;
-    let place = corner + vec2<u32>(mine % params.width, mine / params.width);
-    let theirs = lane % receivers;
-    let other = corner + vec2<u32>(theirs % params.width, theirs / params.width);
-    let r = centred(receiver_at(params.view, place.x, place.y));
-    let s = centred(receiver_at(params.view, other.x, other.y));
-    let is_there = (mine < receivers) & (place.x < params.view.columns) & (place.y < params.view.rows);
+/// Column and row of a receiver of the workgroup.
+fn place(group: vec2<u32>, i: u32) -> vec2<u32> {
+    return vec2<u32>(group.x * WIDTH, params.first_row + group.y * HEIGHT) + vec2<u32>(i % WIDTH, i / WIDTH);
+}
+
+fn is_there(at: vec2<u32>) -> bool {
+    return (at.x < params.view.columns) & (at.y < params.view.rows);
+}
+
+fn receiver(group: vec2<u32>, i: u32) -> vec3<i32> {
+    let at = place(group, i);
+    return centred(receiver_at(params.view, at.x, at.y));
+}
+
+/// The pairs that are alive, with number below `lane`: all of them for 128.
+fn alive_below(lane: u32) -> u32 {
+    var count = 0u;
+    for (var word = 0u; word < 4u; word += 1u) {
+        let bits = clamp(lane, 32u * word, 32u * word + 32u) - 32u * word;
+        count += countOneBits(atomicLoad(&alive[word]) & below(bits));
+    }
+    return count;
+}
+
+@compute @workgroup_size(128)
+fn line_mask(@builtin(workgroup_id) id: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    let group = id.xy;
+    let tile = (place(group, 0u).y / params.tile_rows) * params.tiles + group.x;
     let end = starts[tile + 1u];
-    var mask = 0u;
-    for (var start = starts[tile]; start < end; start += params.batch) {
-        let count = min(end - start, params.batch);
+    for (var start = starts[tile]; start < end; start += BATCH) {
         workgroupBarrier();
-        if (lane < count * receivers) {
-            prepare(lane, entries[start + lane / receivers], s);
+        if (lane < 4u) {
+            atomicStore(&alive[lane], 0u);
         }
         workgroupBarrier();
-        if (is_there) {
-            for (var slot = 0u; slot < count; slot += 1u) {
-                mask |= mask_of(slot * receivers + mine, entries[start + slot], r, word, mask);
+        let slot = lane / COUNT;
+        if ((slot < end - start) & is_there(place(group, lane % COUNT))) {
+            if (prepare(lane, entries[start + slot], receiver(group, lane % COUNT))) {
+                atomicOr(&alive[lane / 32u], 1u << (lane % 32u));
+            }
+        }
+        workgroupBarrier();
+        if ((atomicLoad(&alive[lane / 32u]) & (1u << (lane % 32u))) != 0u) {
+            order[alive_below(lane)] = lane;
+        }
+        workgroupBarrier();
+        let items = alive_below(128u) << params.shift;
+        for (var item = lane; item < items; item += 128u) {
+            let pair = order[item >> params.shift];
+            let word = item & ((1u << params.shift) - 1u);
+            if (word < params.words) {
+                let mask = mask_of(group, pair, start, word);
+                if (mask != 0u) {
+                    atomicOr(&masks[((pair % COUNT) << params.shift) | word], mask);
+                }
             }
         }
     }
-    mask &= below(min(params.bits, params.samples - word * params.bits));
-    if (is_there & (mask != 0u)) {
-        atomicOr(&hidden[(word * params.view.rows + place.y) * params.view.columns + place.x], mask);
+    workgroupBarrier();
+    for (var item = lane; item < (COUNT << params.shift); item += 128u) {
+        let at = place(group, item >> params.shift);
+        let word = item & ((1u << params.shift) - 1u);
+        let mask = atomicLoad(&masks[item]);
+        if (is_there(at) & (mask != 0u)) {
+            atomicOr(&hidden[(word * params.view.rows + at.y) * params.view.columns + at.x], mask);
+        }
     }
 }

@@ -11,7 +11,7 @@ use glam::{IVec2, IVec4};
 use sightlines_backend::host::{Bindings, Buffer};
 use sightlines_backend::{Define, Error, Job, Kernel, Program, Result, bindings, host};
 
-use crate::grid::{Receivers, View};
+use crate::grid::{Receivers, Triangle, View};
 use crate::pattern::Pattern;
 use crate::pieces;
 use crate::row_span::{Scene, Tiles};
@@ -46,7 +46,7 @@ host! {
         pub first: u32,
         /// Cells of the table.
         pub cells: u32,
-        /// Samples lie inside the square of half side 2^h.
+        /// Samples lie in the square of half side 2^h.
         pub h: u32,
         /// log2 of the number of directions, or of angles.
         pub k: u32,
@@ -76,17 +76,11 @@ host! {
         pub tile_rows: u32,
         /// Tiles along x.
         pub tiles: u32,
-        /// Receivers of a workgroup along x.
-        pub width: u32,
-        /// Receivers of a workgroup along y.
-        pub height: u32,
-        /// Triangles at a time.
-        pub batch: u32,
         /// x of the centre of the pattern.
         pub centre_x: i32,
         /// y of the centre of the pattern.
         pub centre_y: i32,
-        /// Samples lie inside the square of half side 2^h about the centre.
+        /// Samples lie in the square of half side 2^h about the centre.
         pub h: u32,
         /// log2 of the table's directions, or angles.
         pub k: u32,
@@ -96,12 +90,10 @@ host! {
         pub bits: u32,
         /// Words of a mask.
         pub words: u32,
-        /// WGSL places structs of a uniform at multiples of 16 bytes.
-        pub _pad0: u32,
-        /// The same.
-        pub _pad1: u32,
-        /// The same.
-        pub _pad2: u32,
+        /// log2 of the words, rounded up.
+        pub shift: u32,
+        /// Where the words of the cell without samples begin.
+        pub empty: u32,
         /// Receivers.
         pub view: View,
     }
@@ -190,8 +182,31 @@ impl Resolution {
 pub struct Table {
     /// The samples, relative to the pattern's centre.
     pub samples: Buffer<[IVec2]>,
-    /// The masks of its cells.
+    /// The masks of its cells, and an empty one.
     pub cells: Buffer<[u32]>,
+}
+
+/// Adds to a job all that makes the masks of `triangles` in `tiles`, which are [`TILE`] receivers large or a multiple of it in
+/// height: scene, table and look-ups. Returns the masks: sample s of receiver r in bit `s % bits` of word
+/// `(s / bits) * receivers + r`.
+pub fn record_masks(
+    job: &mut Job,
+    pattern: &Pattern,
+    resolution: Resolution,
+    receivers: &Receivers,
+    tiles: &Tiles,
+    triangles: &[Triangle],
+) -> Result<Buffer<[u32]>> {
+    let kernel = LineMask::new(pattern, resolution)?;
+    let words = triangles.as_flattened().as_flattened();
+    // A binding holds at least one element.
+    let vertices = job.slice("vertices", if words.is_empty() { &[0] } else { words });
+    let starts = job.slice("starts", &tiles.starts);
+    let entries = job.slice("entries", if tiles.entries.is_empty() { &[0] } else { &tiles.entries[..] });
+    let hidden = job.zeroed("hidden", u64::from(receivers.count()) * u64::from(pattern.words()));
+    let table = kernel.record_table(job);
+    kernel.record(job, receivers, tiles, table, Scene { vertices, starts, entries, hidden })?;
+    Ok(hidden)
 }
 
 fn builder() -> Result<Arc<Program>> {
@@ -240,11 +255,7 @@ fn program(space: Space) -> Result<Arc<Program>> {
 }
 
 /// Receivers of one workgroup along x and y: a tile is as wide, and as high or a multiple of it.
-pub fn tile_shape(pattern: &Pattern) -> [u32; 2] {
-    let most = 256 / pattern.words();
-    let width = most.min(16);
-    [width, most / width]
-}
+pub const TILE: [u32; 2] = [4, 4];
 
 /// The compiled kernel, for one pattern.
 pub struct LineMask {
@@ -257,7 +268,7 @@ pub struct LineMask {
 impl LineMask {
     /// Compiles it for a pattern and a resolution of its table.
     pub fn new(pattern: &Pattern, resolution: Resolution) -> Result<Self> {
-        let bytes = 4 * u64::from(resolution.cells()) * resolution.cell_words(pattern.words());
+        let bytes = 4 * resolution.cell_words(pattern.words()) * u64::from(resolution.cells() + 1);
         if !(1..=10).contains(&resolution.bits) || bytes > MAX_TABLE {
             let what = format!("a table of {bytes} bytes: {} bits of direction", resolution.bits);
             return Err(Error::refused(what, format!("use 1 to 10 bits, and at most {MAX_TABLE} bytes")));
@@ -273,7 +284,7 @@ impl LineMask {
         let points: Vec<IVec2> = self.pattern.points().iter().map(|p| IVec2::from_array(*p) - centre).collect();
         let samples = job.slice("samples", &points);
         let cells = self.resolution.cells();
-        let table = job.zeroed("table", u64::from(cells) * self.resolution.cell_words(words));
+        let table = job.zeroed("table", self.table_words());
         let program = job.program(&self.builder);
         let axes = match self.resolution.space {
             Space::Exact => None,
@@ -304,14 +315,13 @@ impl LineMask {
     ) -> Result<()> {
         receivers.check()?;
         let words = u64::from(receivers.count()) * u64::from(self.pattern.words());
-        let [width, height] = tile_shape(&self.pattern);
+        let [width, height] = TILE;
         if tiles.size[0] != width || !tiles.size[1].is_multiple_of(height) || scene.hidden.len() < words {
             let what = format!("tiles of {:?} receivers and {} words of masks", tiles.size, scene.hidden.len());
             let remedy = format!("use tiles {width} wide and a multiple of {height} high, and {words} words");
             return Err(Error::refused(what, remedy));
         }
-        let cells = u64::from(self.resolution.cells()) * self.resolution.cell_words(self.pattern.words());
-        if table.cells.len() != cells || table.samples.len() != u64::from(self.pattern.count()) {
+        if table.cells.len() != self.table_words() || table.samples.len() != u64::from(self.pattern.count()) {
             let what = format!("a table of {} words for {} samples", table.cells.len(), table.samples.len());
             return Err(Error::refused(what, "record the table of this pattern and resolution"));
         }
@@ -330,6 +340,11 @@ impl LineMask {
         Ok(())
     }
 
+    /// Words of all cells, and of one more that stays empty.
+    fn table_words(&self) -> u64 {
+        self.resolution.cell_words(self.pattern.words()) * u64::from(self.resolution.cells() + 1)
+    }
+
     fn build_params(&self, first: u32) -> BuildParams {
         BuildParams {
             first,
@@ -343,15 +358,11 @@ impl LineMask {
     }
 
     fn params(&self, receivers: &Receivers, tiles: &Tiles, first_row: u32) -> Params {
-        let [width, height] = tile_shape(&self.pattern);
         let [centre_x, centre_y] = self.pattern.centre();
         Params {
             first_row,
             tile_rows: tiles.size[1],
             tiles: tiles.count[0],
-            width,
-            height,
-            batch: 256 / (width * height),
             centre_x,
             centre_y,
             h: self.pattern.half_side_bits(),
@@ -359,9 +370,8 @@ impl LineMask {
             samples: self.pattern.count(),
             bits: self.pattern.bits(),
             words: self.pattern.words(),
-            _pad0: 0,
-            _pad1: 0,
-            _pad2: 0,
+            shift: self.pattern.words().next_power_of_two().ilog2(),
+            empty: (self.table_words() - self.resolution.cell_words(self.pattern.words())) as u32,
             view: View::of(receivers),
         }
     }

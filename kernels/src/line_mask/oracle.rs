@@ -17,6 +17,14 @@ pub fn sets(pattern: &Pattern, receivers: &Receivers, triangles: &[Triangle]) ->
     pattern.sets(receivers.count(), |receiver| pattern.hidden_set(receivers.at(receiver), triangles))
 }
 
+/// The same where a receiver has the triangles of its tile's list alone.
+pub fn tile_sets(pattern: &Pattern, receivers: &Receivers, tiles: &Tiles, triangles: &[Triangle]) -> Vec<u32> {
+    pattern.sets(receivers.count(), |receiver| {
+        let list = tiles.list(receiver % receivers.columns, receiver / receivers.columns);
+        pattern.hidden_set(receivers.at(receiver), list.iter().map(|triangle| &triangles[*triangle as usize]))
+    })
+}
+
 /// A mask of the samples for which `is_in` holds, about the pattern's centre.
 fn mask(pattern: &Pattern, is_in: impl Fn(i32, i32) -> bool) -> Vec<u32> {
     let [x, y] = pattern.centre();
@@ -31,10 +39,10 @@ fn mask(pattern: &Pattern, is_in: impl Fn(i32, i32) -> bool) -> Vec<u32> {
 /// The words of a cell of the exact table: samples strictly inside all its half-planes, then samples not outside all.
 ///
 /// A half-plane of the cell is (1 - t) u + t v + o, with v negated in the second quadrant, for t in `directions` and o in
-/// `offsets`, both in units of 2^-16 and widened by 2^-10 of a cell, or by the least that keeps the kernel within 32 bits.
+/// `offsets`, both in units of 2^-16 and widened by 2^-10 of a cell or by 2^-16, whichever is more.
 pub fn cell(pattern: &Pattern, k: u32, cell: u32) -> Vec<u32> {
     const UNIT: i128 = 1 << 16;
-    let slack = UNIT >> (k + 10).min(30 - pattern.half_side_bits().max(14));
+    let slack = UNIT >> (k + 10).min(16);
     let width = UNIT >> k;
     let ends = |index: u32| {
         let low = i128::from(index) * width;
@@ -84,10 +92,10 @@ pub fn sampled_set<'a>(
     let mut words = vec![0; pattern.words() as usize];
     for triangle in triangles {
         let Some(found) = backproject(centred(receiver), &triangle.map(centred)) else { continue };
-        let crosses = triangle.iter().any(|v| v[2] <= 0 || v[2] >= receiver[2]);
-        let in_source = crosses && (found.own.a, found.own.b, found.own.c) == (0, 0, 0);
+        let touches = triangle.iter().any(|v| v[2] <= 0);
+        let in_source = touches && (found.own.a, found.own.b, found.own.c) == (0, 0, 0);
         let mut all = mask(pattern, |_, _| !in_source);
-        for line in found.edges.into_iter().chain(crosses.then_some(found.own)) {
+        for line in found.edges.into_iter().chain(touches.then_some(found.own)) {
             let inside = sampled(pattern, axes, line);
             all.iter_mut().zip(inside).for_each(|(word, inside)| *word &= inside);
         }
@@ -107,8 +115,8 @@ pub fn sampled_sets(
 ) -> Vec<u32> {
     let axes = axes(pattern.half_side_bits(), k);
     pattern.sets(receivers.count(), |receiver| {
-        let (x, y) = (receiver % receivers.columns, receiver / receivers.columns);
-        let list = tiles.list(x, y).iter().map(|triangle| &triangles[*triangle as usize]);
+        let list = tiles.list(receiver % receivers.columns, receiver / receivers.columns);
+        let list = list.iter().map(|triangle| &triangles[*triangle as usize]);
         sampled_set(pattern, &axes, receivers.at(receiver), list)
     })
 }

@@ -93,6 +93,13 @@ impl Tiles {
         Tiles { size, count, starts, entries }
     }
 
+    /// Tiles that have one triangle each, in order: what each of them hides shows by itself.
+    pub fn solo(size: [u32; 2], receivers: &Receivers) -> Self {
+        let count = [receivers.columns.div_ceil(size[0]), receivers.rows.div_ceil(size[1])];
+        let tiles = count[0] * count[1];
+        Tiles { size, count, starts: (0..=tiles).collect(), entries: (0..tiles).collect() }
+    }
+
     /// The triangles of the tile that holds receiver (x, y).
     pub fn list(&self, x: u32, y: u32) -> &[u32] {
         let tile = (y / self.size[1] * self.count[0] + x / self.size[0]) as usize;

@@ -2,8 +2,8 @@
 //
 // Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 4, without its division: the plane through
 // the receiver and an edge meets the source in a line, whatever the heights of the vertices, so a vertex at or beyond
-// either plane is no special case. There the triangle's own plane is a fourth half-plane; it holds all that the other three
-// hold where the triangle lies strictly between receiver and source.
+// either plane is no special case. The triangle's own plane is a fourth half-plane. It holds all that the other three hold
+// unless a vertex is on the source's plane: then a sample on the triangle is not hidden.
 
 import package::shared::crossing::edge_function;
 import package::shared::line::{Line, edge_line};
