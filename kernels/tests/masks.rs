@@ -10,7 +10,7 @@ use sightlines_backend_cpu::{Bounds, Config, CpuBackend};
 use sightlines_kernels::grid::{Lattice, Point, Receivers, Samples, Triangle, XY, Z, hidden, hidden_set, is_on_grid};
 use sightlines_kernels::half_planes::HalfPlanes;
 use sightlines_kernels::influence_region::{InfluenceRegion, TiltedRegion, oracle};
-use sightlines_kernels::line_mask::{LineMask, Resolution, Space, tile_shape};
+use sightlines_kernels::line_mask::{LineMask, Resolution, Space, TILE};
 use sightlines_kernels::pattern::Pattern;
 use sightlines_kernels::row_span::{RowSpan, Scene, Tiles, is_between, tile_width};
 
@@ -171,7 +171,7 @@ fn by_line_mask(view: &View, groups: &[&[Triangle]]) -> Vec<Vec<u32>> {
     let kernel = LineMask::new(&pattern, Resolution { space: Space::Exact, bits: 3 }).expect("it compiles");
     masks(view, groups, |job, triangles, vertices, hidden| {
         let table = kernel.record_table(job);
-        let (tiles, scene) = tiled(job, view, triangles, tile_shape(&pattern), vertices, hidden);
+        let (tiles, scene) = tiled(job, view, triangles, TILE, vertices, hidden);
         kernel.record(job, receivers, &tiles, table, scene).expect("it is recorded");
     })
 }
