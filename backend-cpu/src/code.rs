@@ -4,7 +4,12 @@
 //! 0 or all ones. Instructions are verified when they are built (registers, slots and targets in range), so execution
 //! can index without further thought.
 
+mod ops;
+
 use std::fmt;
+
+pub use ops::{AtomicOp, BinOp, Compare, Pair, TernOp, Test, UnOp};
+pub(crate) use ops::{Parts, pairs};
 
 /// Where a load, store or atomic goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -15,227 +20,6 @@ pub enum Mem {
     Workgroup,
     /// Private and function memory that is indexed at run time: one column a lane.
     Private,
-}
-
-/// Declares operations and the list of them all.
-macro_rules! operations {
-    ($(#[$meta:meta])* $name:ident { $($(#[$op_meta:meta])* $op:ident),* $(,)? }) => {
-        $(#[$meta])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        #[allow(missing_docs, reason = "named as the WGSL operators and builtins they are")]
-        pub enum $name { $($(#[$op_meta])* $op),* }
-
-        impl $name {
-            /// Every operation.
-            pub const ALL: &[$name] = &[$($name::$op),*];
-        }
-    };
-}
-
-operations! {
-    /// Operations on one word.
-    UnOp {
-        Move,
-        Not,
-        NegI,
-        AbsI,
-        SignI,
-        NegF,
-        AbsF,
-        SignF,
-        Floor,
-        Ceil,
-        Trunc,
-        Round,
-        Sqrt,
-        InverseSqrt,
-        FloatToInt,
-        FloatToUint,
-        IntToFloat,
-        UintToFloat,
-        CountOneBits,
-        CountLeadingZeros,
-        CountTrailingZeros,
-        ReverseBits,
-        FirstLeadingBitI,
-        FirstLeadingBitU,
-        FirstTrailingBit,
-        Sin,
-        Cos,
-        Tan,
-        Asin,
-        Acos,
-        Atan,
-        Sinh,
-        Cosh,
-        Tanh,
-        Asinh,
-        Acosh,
-        Atanh,
-        Exp,
-        Exp2,
-        Log,
-        Log2,
-        QuantizeToF16,
-        PackHalf,
-        UnpackHalf,
-        PackSnorm8,
-        PackUnorm8,
-        PackSnorm16,
-        PackUnorm16,
-        FrexpFraction,
-        FrexpExponent,
-    }
-}
-
-operations! {
-    /// Operations on two words.
-    BinOp {
-        Add,
-        Sub,
-        Mul,
-        /// ⌊a b / 2^32⌋: no WGSL operation, but one that lowering finds.
-        MulHigh,
-        And,
-        Or,
-        Xor,
-        Shl,
-        ShrU,
-        ShrI,
-        DivU,
-        DivI,
-        RemU,
-        RemI,
-        MinU,
-        MaxU,
-        MinI,
-        MaxI,
-        Eq,
-        Ne,
-        LtU,
-        LeU,
-        LtI,
-        LeI,
-        AddF,
-        SubF,
-        MulF,
-        DivF,
-        RemF,
-        MinF,
-        MaxF,
-        EqF,
-        NeF,
-        LtF,
-        LeF,
-        Atan2,
-        Pow,
-        Ldexp,
-    }
-}
-
-/// Operations on three words.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs, reason = "named as the WGSL builtins they are")]
-pub enum TernOp {
-    /// `a` where the third operand is true, else `b`: operands are (condition, accept, reject).
-    Select,
-    Fma,
-}
-
-operations! {
-    /// Comparisons that control flow makes itself. Integers need no negated forms: `!(a < b)` is `b <= a`.
-    Compare {
-        Eq,
-        Ne,
-        LtU,
-        LeU,
-        LtI,
-        LeI,
-        EqF,
-        NeF,
-        LtF,
-        LeF,
-        /// Not less, or not ordered.
-        NotLtF,
-        /// Not less or equal, or not ordered.
-        NotLeF,
-    }
-}
-
-impl BinOp {
-    /// The comparison whose truth this operation computes.
-    pub(crate) fn comparison(self) -> Option<Compare> {
-        Some(match self {
-            BinOp::Eq => Compare::Eq,
-            BinOp::Ne => Compare::Ne,
-            BinOp::LtU => Compare::LtU,
-            BinOp::LeU => Compare::LeU,
-            BinOp::LtI => Compare::LtI,
-            BinOp::LeI => Compare::LeI,
-            BinOp::EqF => Compare::EqF,
-            BinOp::NeF => Compare::NeF,
-            BinOp::LtF => Compare::LtF,
-            BinOp::LeF => Compare::LeF,
-            _ => return None,
-        })
-    }
-}
-
-/// A condition of control flow: passed where `a op b` holds.
-#[derive(Clone, Copy, PartialEq, Eq)]
-#[allow(missing_docs, reason = "operands are named by their role")]
-pub struct Test<R = Reg> {
-    pub op: Compare,
-    pub a: R,
-    pub b: R,
-}
-
-impl<R: Copy> Test<R> {
-    /// Passed where this test fails.
-    pub(crate) fn negated(self) -> Self {
-        let Test { op, a, b } = self;
-        match op {
-            Compare::Eq => Test { op: Compare::Ne, a, b },
-            Compare::Ne => Test { op: Compare::Eq, a, b },
-            Compare::LtU => Test { op: Compare::LeU, a: b, b: a },
-            Compare::LeU => Test { op: Compare::LtU, a: b, b: a },
-            Compare::LtI => Test { op: Compare::LeI, a: b, b: a },
-            Compare::LeI => Test { op: Compare::LtI, a: b, b: a },
-            Compare::EqF => Test { op: Compare::NeF, a, b },
-            Compare::NeF => Test { op: Compare::EqF, a, b },
-            Compare::LtF => Test { op: Compare::NotLtF, a, b },
-            Compare::LeF => Test { op: Compare::NotLeF, a, b },
-            Compare::NotLtF => Test { op: Compare::LtF, a, b },
-            Compare::NotLeF => Test { op: Compare::LeF, a, b },
-        }
-    }
-
-    fn map<Q>(self, f: &mut impl FnMut(R, bool) -> Q) -> Test<Q> {
-        Test { op: self.op, a: f(self.a, false), b: f(self.b, false) }
-    }
-}
-
-impl<R: fmt::Debug> fmt::Debug for Test<R> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:?}({:?}, {:?})", self.op, self.a, self.b)
-    }
-}
-
-/// Read-modify-write operations.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs, reason = "named as the WGSL builtins they are")]
-pub enum AtomicOp {
-    Add,
-    Sub,
-    And,
-    Or,
-    Xor,
-    MinU,
-    MaxU,
-    MinI,
-    MaxI,
-    Exchange,
-    CompareExchange,
 }
 
 /// An operand: a vector register, or a scalar register that every lane shares.
@@ -301,6 +85,21 @@ pub enum Inst<R = Reg> {
         a: R,
         b: R,
         c: R,
+    },
+    /// Two binary operations in one pass.
+    Fused {
+        op: Pair,
+        dst: R,
+        a: R,
+        b: R,
+        c: R,
+    },
+    /// `dst = test ? accept : reject`.
+    Choose {
+        test: Test<R>,
+        dst: R,
+        accept: R,
+        reject: R,
     },
     /// Masked copy.
     Blend {
@@ -464,6 +263,14 @@ impl<R: Copy> Inst<R> {
             Inst::Tern { op, dst, a, b, c } => {
                 let (a, b, c) = (f(a, false), f(b, false), f(c, false));
                 Inst::Tern { op, dst: f(dst, true), a, b, c }
+            }
+            Inst::Fused { op, dst, a, b, c } => {
+                let (a, b, c) = (f(a, false), f(b, false), f(c, false));
+                Inst::Fused { op, dst: f(dst, true), a, b, c }
+            }
+            Inst::Choose { test, dst, accept, reject } => {
+                let (test, accept, reject) = (test.map(f), f(accept, false), f(reject, false));
+                Inst::Choose { test, dst: f(dst, true), accept, reject }
             }
             Inst::Blend { dst, a } => {
                 let a = f(a, false);

@@ -6,6 +6,8 @@
 
 use std::cmp::Ordering;
 
+#[cfg(test)]
+use crate::code::Pair;
 use crate::code::{AtomicOp, BinOp, Compare, TernOp, UnOp};
 use crate::math;
 
@@ -93,6 +95,7 @@ pub(crate) fn binary(op: BinOp, a: u32, b: u32) -> u32 {
         BinOp::Sub => a.wrapping_sub(b),
         BinOp::Mul => a.wrapping_mul(b),
         BinOp::MulHigh => ((u64::from(a) * u64::from(b)) >> 32) as u32,
+        BinOp::MulHighI => ((i64::from(ia) * i64::from(ib)) >> 32) as u32,
         BinOp::And => a & b,
         BinOp::Or => a | b,
         BinOp::Xor => a ^ b,
@@ -148,6 +151,15 @@ pub(crate) fn compare(op: Compare, a: u32, b: u32) -> bool {
         Compare::NotLtF => fa.partial_cmp(&fb) != Some(Ordering::Less),
         Compare::NotLeF => !matches!(fa.partial_cmp(&fb), Some(Ordering::Less | Ordering::Equal)),
     }
+}
+
+/// The value of a pair: what its vector form is held to.
+#[cfg(test)]
+pub(crate) fn pair(op: Pair, a: u32, b: u32, c: u32) -> u32 {
+    let Some(parts) = op.parts() else { return (a ^ a.wrapping_shr(b)).wrapping_mul(c) };
+    let t = binary(parts.first, a, b);
+    let (left, right) = if parts.left { (t, c) } else { (c, t) };
+    binary(parts.second, left, right)
 }
 
 /// The value of a ternary operation.

@@ -5,7 +5,8 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, mask32x16, u32x16};
 
-use super::alu::{Rows, float, load, signed};
+use super::alu::{Rows, load};
+use super::lanes::{float, signed};
 use super::mask::{Exec, Mask};
 use crate::code::{Compare, Test};
 

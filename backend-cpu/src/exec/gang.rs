@@ -5,6 +5,7 @@ use std::cell::Cell;
 use fearless_simd::Simd;
 
 use super::alu::{self, Chunk, Rows};
+use super::fused;
 use super::mask::{CHUNK, Exec, Mask};
 use super::memory::{self, Outside, Private, SharedWord};
 use crate::code::{AtomicArgs, Code, Inst, Mem, Reg};
@@ -123,7 +124,10 @@ impl Worker {
             chunk_ops: Cell::from_mut(&mut self.chunk_ops),
         };
         gang.inputs(first);
-        gang.run()
+        s.vectorize(
+            #[inline(always)]
+            || gang.run(),
+        )
     }
 }
 
@@ -192,6 +196,7 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
         }
     }
 
+    #[inline(always)]
     fn run(&mut self) -> Result<(), Stop> {
         let code = self.launch.code;
         let mut pc = 0usize;
@@ -211,6 +216,10 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
                     self.set_scalar(dst, semantics::ternary(op, self.scalar(a), self.scalar(b), self.scalar(c)));
                 }
                 Inst::Tern { op, dst, a, b, c } => alu::ternary(self.s, self.work(), op, dst, [a, b, c]),
+                Inst::Fused { op, dst, a, b, c } => fused::pair(self.s, self.work(), op, dst, [a, b, c]),
+                Inst::Choose { test, dst, accept, reject } => {
+                    fused::choose(self.s, self.work(), test, dst, [accept, reject]);
+                }
                 Inst::Blend { dst, a } => alu::blend(self.s, self.work(), &self.exec, dst, a),
                 Inst::Check { dst, index, length, site } => self.check(dst, index, length, site)?,
                 Inst::ArrayLength { dst, buffer, offset, stride } => {

@@ -7,7 +7,9 @@
 mod alu;
 mod compare;
 mod control;
+mod fused;
 mod gang;
+mod lanes;
 mod mask;
 mod memory;
 #[cfg(test)]

@@ -6,9 +6,10 @@ use fearless_simd::{Level, dispatch};
 
 use super::alu::{self, Chunk, Rows};
 use super::compare::passing;
+use super::fused;
 use super::mask::{CHUNK, Exec, Mask};
 use crate::Simd;
-use crate::code::{BinOp, Compare, Reg, TernOp, Test, UnOp};
+use crate::code::{BinOp, Compare, Pair, Reg, TernOp, Test, UnOp};
 use crate::semantics;
 
 /// Words at which operations change their behaviour.
@@ -193,6 +194,46 @@ fn ternary_operations_agree_on_every_level() {
 }
 
 #[test]
+fn pairs_agree_on_every_level() {
+    for (simd, level) in levels() {
+        for rows in operands() {
+            for op in Pair::ALL {
+                let words = op.parts().map_or([true, true], |parts| parts.words);
+                let args = [register(1, false), register(2, words[0]), register(3, words[1])];
+                let got =
+                    Files::new(&rows).run(|r| dispatch!(level, s => fused::pair(s, r, *op, Reg::vector(0), args)));
+                compare(&format!("{op:?} on {}", simd.name()), &got, |lane| {
+                    let x: [u32; 3] = std::array::from_fn(|i| rows[i][if args[i].is_scalar() { 0 } else { lane }]);
+                    (semantics::pair(*op, x[0], x[1], x[2]), format!("{x:x?}"))
+                });
+            }
+        }
+    }
+}
+
+#[test]
+fn choices_agree_on_every_level() {
+    for (simd, level) in levels() {
+        for rows in operands() {
+            for op in Compare::ALL {
+                for form in 0..8u16 {
+                    let [b, accept, reject] = [2, 3, 1].map(|i| register(i, form >> (i - 1) & 1 != 0));
+                    let (test, dst) = (Test { op: *op, a: register(1, false), b }, Reg::vector(0));
+                    let got = Files::new(&rows)
+                        .run(|r| dispatch!(level, s => fused::choose(s, r, test, dst, [accept, reject])));
+                    compare(&format!("choice by {op:?} on {}", simd.name()), &got, |lane| {
+                        let word = |r: Reg| rows[r.index() - 1][if r.is_scalar() { 0 } else { lane }];
+                        let holds = semantics::compare(*op, word(test.a), word(b));
+                        let operands = format!("{:#x}, {:#x}", word(test.a), word(b));
+                        (if holds { word(accept) } else { word(reject) }, operands)
+                    });
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn masked_operations_agree_on_every_level() {
     let rows = &operands()[0];
     let mut exec = Exec::new(LANES);
@@ -244,15 +285,18 @@ fn tests_agree_on_every_level() {
 }
 
 #[test]
-fn contiguous_addresses_are_found() {
-    let counting: [u32; LANES] = std::array::from_fn(|lane| 0xffff_fff0u32.wrapping_add(lane as u32));
-    let mut broken = counting;
-    broken[LANES - 1] = 0;
+fn even_addresses_are_found() {
     for (_, level) in levels() {
-        for (row, want) in [(counting, Some(counting[0])), (broken, None)] {
-            let mut got = None;
-            Files::new(&[row; 3]).run(|r| got = dispatch!(level, s => alu::contiguous(s, r, Reg::vector(1))));
-            assert_eq!(got, want);
+        for step in [0, 1, 4, 5, u32::MAX] {
+            let even: [u32; LANES] =
+                std::array::from_fn(|lane| 0xffff_fff0u32.wrapping_add(step.wrapping_mul(lane as u32)));
+            let mut broken = even;
+            broken[LANES - 1] ^= 1;
+            for (row, want) in [(even, Some((even[0], step))), (broken, None)] {
+                let mut got = None;
+                Files::new(&[row; 3]).run(|r| got = dispatch!(level, s => alu::affine(s, r, Reg::vector(1))));
+                assert_eq!(got, want);
+            }
         }
     }
 }

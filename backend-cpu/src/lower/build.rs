@@ -461,6 +461,9 @@ impl<'m> Builder<'m> {
             fold::Folded::Same(val) => return val,
             fold::Folded::No => {}
         }
+        if let Some(val) = self.rewrite(op) {
+            return val;
+        }
         if let Some((a, b)) = idiom::high_product(&self.tree, op) {
             let [a, b] = [a, b].map(|factor| match factor {
                 idiom::Factor::Val(val) => val,

@@ -19,7 +19,7 @@ impl Builder<'_> {
         self.define(Op::Un(op, a))
     }
 
-    fn select(&mut self, cond: Val, accept: Val, reject: Val) -> Val {
+    pub(super) fn select(&mut self, cond: Val, accept: Val, reject: Val) -> Val {
         self.define(Op::Tern(TernOp::Select, cond, accept, reject))
     }
 

@@ -1,15 +1,17 @@
 //! naga IR to register code, once for each pipeline.
 //!
 //! overrides applied → calls inlined, types split into words ([`build`]) → dead code removed, initial values sunk
-//! ([`prune`]) → positions, uniformity, quiet sets ([`flow`]) → linear code with masks and jumps ([`emit`]) → registers
-//! ([`regs`]).
+//! ([`prune`]) → positions, uniformity, quiet sets ([`flow`]) → linear code with masks and jumps ([`emit`]) → operations
+//! joined ([`fuse`]) → registers ([`regs`]).
 
+mod algebra;
 mod build;
 mod builtins;
 mod emit;
 mod expr;
 mod flow;
 mod fold;
+mod fuse;
 mod idiom;
 mod place;
 mod prune;
@@ -94,7 +96,7 @@ fn lower_here(program: &Program, entry: &str, overrides: &[(String, f64)], optio
     let lanes: u32 = workgroup_size.iter().product();
     let mergeable = !tree.has_barrier && tree.workgroup_words == 0 && lanes < MERGED_LANES;
     let flow = flow::Flow::new(&tree, mergeable);
-    let linear = emit::emit(&tree, &flow);
+    let mut linear = emit::emit(&tree, &flow);
     let limit = |what: String, limit: u64, remedy: &str| {
         Error::from(ErrorKind::Limit { what, limit, location: start.clone(), remedy: remedy.into() })
     };
@@ -102,6 +104,7 @@ fn lower_here(program: &Program, entry: &str, overrides: &[(String, f64)], optio
         let what = format!("lanes of `{entry}` part at {} places at once", linear.slots);
         return Err(limit(what, MAX_SLOTS as u64, "nest divergent control flow less deeply, calls included"));
     }
+    fuse::fuse(&mut linear);
     assemble(&tree, linear, workgroup_size, mergeable).ok_or_else(|| {
         let what = format!("`{entry}` keeps more values or constants alive than there are registers");
         limit(what, 0x7fff, "keep fewer values alive, or split the kernel")

@@ -140,8 +140,13 @@ impl<'m> Builder<'m> {
         };
         let site = self.site(span);
         let index = self.define(Op::Check { index, length, site });
-        let stride = self.constant(stride);
-        let words = self.define(Op::Bin(BinOp::Mul, index, stride));
+        let words = if stride.is_power_of_two() {
+            let by = self.constant(stride.trailing_zeros());
+            self.define(Op::Bin(BinOp::Shl, index, by))
+        } else {
+            let stride = self.constant(stride);
+            self.define(Op::Bin(BinOp::Mul, index, stride))
+        };
         let dynamic = match place.dynamic {
             Some(before) => self.define(Op::Bin(BinOp::Add, before, words)),
             None => words,
@@ -194,7 +199,8 @@ impl<'m> Builder<'m> {
     pub(super) fn address(&mut self, place: &Place) -> Option<(Mem, Val, u32)> {
         let Root::Mem(mem, base) = place.root else { return None };
         let addr = place.dynamic.unwrap_or_else(|| self.constant(0));
-        Some((mem, addr, base))
+        let (addr, more) = self.split_sum(addr);
+        Some((mem, addr, base.wrapping_add(more)))
     }
 
     /// Loads every scalar of a place.
@@ -207,7 +213,10 @@ impl<'m> Builder<'m> {
         let (mem, addr, base) = self.address(place).expect("a place is variables or memory");
         self.count_load(mem, leaves.len());
         let site = self.site(span);
-        Ok(leaves.into_iter().map(|leaf| self.define(Op::Load { mem, addr, offset: base + leaf, site })).collect())
+        Ok(leaves
+            .into_iter()
+            .map(|leaf| self.define(Op::Load { mem, addr, offset: base.wrapping_add(leaf), site }))
+            .collect())
     }
 
     /// Stores every scalar of a place.
@@ -225,7 +234,7 @@ impl<'m> Builder<'m> {
         self.count_store(mem, leaves.len());
         let site = self.site(span);
         for (leaf, &value) in leaves.iter().zip(values) {
-            self.push(Stmt::Store { mem, addr, offset: base + leaf, value, site });
+            self.push(Stmt::Store { mem, addr, offset: base.wrapping_add(*leaf), value, site });
         }
         Ok(())
     }
