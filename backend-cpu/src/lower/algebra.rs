@@ -202,7 +202,12 @@ impl Builder<'_> {
     fn inverse(&mut self, cond: Val) -> Option<Val> {
         match self.tree.op(cond) {
             Op::Un(UnOp::Not, x) => Some(x),
-            Op::Bin(op, x, y) if self.tree.constant(x).is_some() => opposite(op, x, y).map(|op| self.define(op)),
+            // The opposite of an order has its operands exchanged, so the constant then stands on the right.
+            Op::Bin(op @ (BinOp::LtU | BinOp::LeU | BinOp::LtI | BinOp::LeI), x, y)
+                if self.tree.constant(x).is_some() =>
+            {
+                opposite(op, x, y).map(|op| self.define(op))
+            }
             _ => None,
         }
     }
