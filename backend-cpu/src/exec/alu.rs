@@ -236,22 +236,23 @@ pub(super) fn check<S: Simd>(
     wrong
 }
 
-/// First word and step of a row that counts evenly from lane to lane; what one register holds for all lanes has step 0.
-#[inline(always)]
-pub(super) fn affine<S: Simd>(s: S, r: Rows<'_>, addr: Reg) -> Option<(u32, u32)> {
-    if addr.is_scalar() {
-        return Some((r.scalar(addr), 0));
-    }
+/// First word of a row whose active chunks count up by one from lane to lane.
+pub(super) fn contiguous<S: Simd>(s: S, r: Rows<'_>, addr: Reg) -> Option<u32> {
     let row = r.row(addr);
-    let words = row.first()?.get().0;
-    let (base, step) = (words[0], words[1].wrapping_sub(words[0]));
-    let lanes = u32x16::simd_from(s, std::array::from_fn(|i| i as u32));
-    let mut expected = s.add_u32x16(s.splat_u32x16(base), s.mul_u32x16(lanes, s.splat_u32x16(step)));
-    let ahead = s.splat_u32x16(step.wrapping_mul(CHUNK as u32));
-    let mut difference = s.splat_u32x16(0);
-    for cell in row {
-        difference = s.or_u32x16(difference, s.xor_u32x16(load(s, cell), expected));
-        expected = s.add_u32x16(expected, ahead);
-    }
-    (!s.any_true_mask32x16(s.simd_ne_u32x16(difference, s.splat_u32x16(0)))).then_some((base, step))
+    let base = row.first()?.get().0[0];
+    let mut same = true;
+    s.vectorize(
+        #[inline(always)]
+        || {
+            let steps = u32x16::simd_from(s, std::array::from_fn(|i| i as u32));
+            let mut difference = s.splat_u32x16(0);
+            let mut expected = s.add_u32x16(s.splat_u32x16(base), steps);
+            for cell in row {
+                difference = s.or_u32x16(difference, s.xor_u32x16(load(s, cell), expected));
+                expected = s.add_u32x16(expected, s.splat_u32x16(CHUNK as u32));
+            }
+            same = !s.any_true_mask32x16(s.simd_ne_u32x16(difference, s.splat_u32x16(0)));
+        },
+    );
+    same.then_some(base)
 }

@@ -6,8 +6,7 @@
 use std::cell::Cell;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use fearless_simd::prelude::*;
-use fearless_simd::{Simd, u32x16};
+use fearless_simd::Simd;
 
 use super::alu::{self, Chunk, Rows};
 use super::mask::{CHUNK, Exec};
@@ -16,9 +15,6 @@ use crate::semantics;
 
 /// A word of memory that can be read.
 pub(crate) trait Word {
-    /// Whether neighbouring words can be read at once.
-    const PLAIN: bool = true;
-
     fn load(&self) -> u32;
 }
 
@@ -70,8 +66,6 @@ impl SharedWord for Cell<u32> {
 }
 
 impl Word for AtomicU32 {
-    const PLAIN: bool = false;
-
     #[inline(always)]
     fn load(&self) -> u32 {
         self.load(Ordering::Relaxed)
@@ -130,98 +124,35 @@ pub(super) fn load<S: Simd, T: Word>(
     addr: Reg,
     offset: u32,
 ) -> Option<Outside> {
-    s.vectorize(
-        #[inline(always)]
-        || {
-            let row = r.row(dst);
-            let run = alu::affine(s, r, addr).and_then(|even| Run::new(words, even, offset, row.len() * CHUNK));
-            match run {
-                Some(run) => run.load(s, row),
-                None => return gather(s, r, exec, words, dst, addr, offset),
+    let row = r.row(dst);
+    if let Some(base) = alu::contiguous(s, r, addr) {
+        let start = base.wrapping_add(offset) as usize;
+        if let Some(run) = words.get(start..).and_then(|w| w.get(..row.len() * CHUNK)) {
+            for (cell, run) in row.iter().zip(run.chunks_exact(CHUNK)) {
+                cell.set(Chunk(std::array::from_fn(|i| run[i].load())));
             }
-            None
-        },
-    )
-}
-
-/// Words an even step apart, all in range.
-struct Run<'a, T> {
-    words: &'a [T],
-    step: usize,
-}
-
-impl<'a, T: Word> Run<'a, T> {
-    #[inline(always)]
-    fn new(words: &'a [T], (base, step): (u32, u32), offset: u32, count: usize) -> Option<Self> {
-        let last = (step as usize).checked_mul(count.checked_sub(1)?)?;
-        let words = words.get(base.wrapping_add(offset) as usize..)?;
-        (last < words.len()).then_some(Run { words, step: step as usize })
-    }
-
-    #[inline(always)]
-    fn load<S: Simd>(&self, s: S, row: &[Cell<Chunk>]) {
-        for (i, cell) in row.iter().enumerate() {
-            let words = &self.words[i * CHUNK * self.step..];
-            let even = || words.chunks(self.step.max(1)).map(|group| group[0].load());
-            let chunk = match self.step {
-                0 => s.splat_u32x16(words[0].load()),
-                1 if words.len() >= CHUNK => vector(s, words),
-                2 if T::PLAIN && words.len() >= 2 * CHUNK => {
-                    s.unzip_low_u32x16(vector(s, words), vector(s, &words[CHUNK..]))
-                }
-                4 if T::PLAIN && words.len() >= 4 * CHUNK => {
-                    let low = s.unzip_low_u32x16(vector(s, words), vector(s, &words[CHUNK..]));
-                    let high = s.unzip_low_u32x16(vector(s, &words[2 * CHUNK..]), vector(s, &words[3 * CHUNK..]));
-                    s.unzip_low_u32x16(low, high)
-                }
-                _ => {
-                    let mut chunk = [0; CHUNK];
-                    chunk.iter_mut().zip(even()).for_each(|(to, word)| *to = word);
-                    u32x16::simd_from(s, chunk)
-                }
-            };
-            alu::store(cell, chunk);
+            return None;
         }
     }
-}
-
-/// The first words, one a lane.
-#[inline(always)]
-fn vector<S: Simd, T: Word>(s: S, words: &[T]) -> u32x16<S> {
-    let words = &words[..CHUNK];
-    u32x16::simd_from(s, std::array::from_fn(|i| words[i].load()))
-}
-
-/// Loads words from anywhere.
-#[inline(always)]
-fn gather<S: Simd, T: Word>(
-    s: S,
-    r: Rows<'_>,
-    exec: &Exec,
-    words: &[T],
-    dst: Reg,
-    addr: Reg,
-    offset: u32,
-) -> Option<Outside> {
-    let length = words.len() as u32;
-    let last = length.wrapping_sub(1);
-    let mut greatest = s.splat_u32x16(0);
-    for (cell, addr) in r.row(dst).iter().zip(r.row(addr)) {
-        let index = s.add_u32x16(alu::load(s, addr), s.splat_u32x16(offset));
-        greatest = s.max_u32x16(greatest, index);
-        let index: [u32; CHUNK] = s.min_u32x16(index, s.splat_u32x16(last)).into();
-        cell.set(Chunk(index.map(|index| words.get(index as usize).map_or(0, Word::load))));
+    let mut outside = None;
+    for (i, (cell, addr)) in row.iter().zip(r.row(addr)).enumerate() {
+        let addr = addr.get().0;
+        let words = std::array::from_fn(|lane| {
+            let index = addr[lane].wrapping_add(offset);
+            match words.get(index as usize) {
+                Some(word) => word.load(),
+                None => {
+                    let lane = (exec.low + i) * CHUNK + lane;
+                    if outside.is_none() && exec.mask.has(lane) {
+                        outside = Some(Outside { lane, index, length: words.len() as u32 });
+                    }
+                    read(words, index)
+                }
+            }
+        });
+        cell.set(Chunk(words));
     }
-    let past = s.any_true_mask32x16(s.simd_gt_u32x16(greatest, s.splat_u32x16(last))) || words.is_empty();
-    past.then(|| first_outside(r, exec, addr, offset, length)).flatten()
-}
-
-/// The first active lane that is past the end.
-#[cold]
-fn first_outside(r: Rows<'_>, exec: &Exec, addr: Reg, offset: u32, length: u32) -> Option<Outside> {
-    let lanes = (exec.low * CHUNK..exec.high * CHUNK).filter(|lane| exec.mask.has(*lane));
-    let mut places = lanes.map(|lane| Outside { lane, index: r.lane(addr, lane).wrapping_add(offset), length });
-    places.find(|place| place.index >= length)
+    outside
 }
 
 /// Stores the word of each active lane, in the order of lanes.
@@ -238,66 +169,54 @@ pub(super) fn store<S: Simd, T: SharedWord>(
         let lane = exec.mask.last_lane()?;
         return store_lane(words, r.scalar(addr).wrapping_add(offset), r.lane(value, lane), lane);
     }
-    s.vectorize(
-        #[inline(always)]
-        || {
-            let even = if exec.full { alu::affine(s, r, addr) } else { None };
-            let count = exec.mask.count() as usize;
-            match even.and_then(|even| Run::new(words, even, offset, count)) {
-                Some(run) => run.store(r, count, value),
-                None => return scatter(r, exec, words, addr, value, offset),
-            }
-            None
-        },
-    )
-}
-
-impl<T: SharedWord> Run<'_, T> {
-    /// Stores the first `count` lanes of an operand.
-    #[inline(always)]
-    fn store(&self, r: Rows<'_>, count: usize, value: Reg) {
-        let chunks = (0..count.div_ceil(CHUNK)).map(|i| {
-            let rest = &self.words[i * CHUNK * self.step..];
-            let words = if value.is_scalar() { [r.scalar(value); CHUNK] } else { r.row(value)[i].get().0 };
-            (rest, words, (count - i * CHUNK).min(CHUNK))
-        });
-        for (to, words, lanes) in chunks {
-            match self.step {
-                0 => to[0].store(words[lanes - 1]),
-                1 if lanes == CHUNK => to[..CHUNK].iter().zip(words).for_each(|(to, word)| to.store(word)),
-                4 => to.chunks(4).zip(&words[..lanes]).for_each(|(to, word)| to[0].store(*word)),
-                step => to.chunks(step).zip(&words[..lanes]).for_each(|(to, word)| to[0].store(*word)),
-            }
+    if exec.full
+        && let Some(base) = alu::contiguous(s, r, addr)
+    {
+        let count = exec.mask.count() as usize;
+        let start = base.wrapping_add(offset) as usize;
+        if let Some(run) = words.get(start..).and_then(|w| w.get(..count)) {
+            store_run(r, run, value);
+            return None;
         }
     }
-}
-
-/// Stores words to anywhere.
-#[inline(always)]
-fn scatter<T: SharedWord>(
-    r: Rows<'_>,
-    exec: &Exec,
-    words: &[T],
-    addr: Reg,
-    value: Reg,
-    offset: u32,
-) -> Option<Outside> {
     let mut outside = None;
     for (i, addr) in r.row(addr).iter().enumerate() {
-        let mut bits = exec.mask.chunk(exec.low + i);
+        let bits = exec.mask.chunk(exec.low + i);
+        if bits == 0 {
+            continue;
+        }
         let addr = addr.get().0;
         let values = if value.is_scalar() { [r.scalar(value); CHUNK] } else { r.row(value)[i].get().0 };
-        while bits != 0 {
-            let lane = bits.trailing_zeros() as usize % CHUNK;
-            bits &= bits - 1;
-            let place = (exec.low + i) * CHUNK + lane;
-            outside = outside.or(store_lane(words, addr[lane].wrapping_add(offset), values[lane], place));
+        for lane in 0..CHUNK {
+            if bits >> lane & 1 != 0 {
+                let place = (exec.low + i) * CHUNK + lane;
+                outside = outside.or(store_lane(words, addr[lane].wrapping_add(offset), values[lane], place));
+            }
         }
     }
     outside
 }
 
-#[inline(always)]
+fn store_run<T: SharedWord>(r: Rows<'_>, run: &[T], value: Reg) {
+    if value.is_scalar() {
+        let word = r.scalar(value);
+        run.iter().for_each(|to| to.store(word));
+        return;
+    }
+    let full = run.chunks_exact(CHUNK);
+    let rest = full.remainder();
+    let row = r.row(value);
+    for (to, cell) in full.zip(row) {
+        let words = cell.get().0;
+        for (to, word) in to.iter().zip(words) {
+            to.store(word);
+        }
+    }
+    if let (false, Some(cell)) = (rest.is_empty(), row.last()) {
+        rest.iter().zip(cell.get().0).for_each(|(to, word)| to.store(word));
+    }
+}
+
 fn store_lane<T: SharedWord>(words: &[T], index: u32, value: u32, lane: usize) -> Option<Outside> {
     if let Some(word) = words.get(index as usize) {
         word.store(value);
