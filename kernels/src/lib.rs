@@ -32,6 +32,7 @@ pub mod row_span;
 pub mod sat;
 pub mod scan;
 pub mod screen;
+pub mod tiles;
 pub mod triangles;
 pub mod vertex_visibility;
 

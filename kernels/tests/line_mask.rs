@@ -10,8 +10,9 @@ use sightlines_kernels::half_planes::HalfPlanes;
 use sightlines_kernels::influence_region::oracle::region;
 use sightlines_kernels::line_mask::{LineMask, Resolution, Space, TILE, oracle, record_differ, record_masks};
 use sightlines_kernels::pattern::Pattern;
-use sightlines_kernels::row_span::{RowSpan, Scene, Tiles, is_between, tile_width};
+use sightlines_kernels::row_span::{RowSpan, Scene, is_between, tile_width};
 use sightlines_kernels::source;
+use sightlines_kernels::tiles::Tiles;
 use sightlines_kernels::triangles::{Family, contacts, corners, crossing, levels};
 
 const RECEIVERS: Receivers =

@@ -12,7 +12,8 @@ use sightlines_kernels::half_planes::HalfPlanes;
 use sightlines_kernels::influence_region::{InfluenceRegion, TiltedRegion, oracle};
 use sightlines_kernels::line_mask::{LineMask, Resolution, Space, TILE};
 use sightlines_kernels::pattern::Pattern;
-use sightlines_kernels::row_span::{RowSpan, Scene, Tiles, is_between, tile_width};
+use sightlines_kernels::row_span::{RowSpan, Scene, is_between, tile_width};
+use sightlines_kernels::tiles::Tiles;
 
 /// One interpreter for all scenes, so that a kernel is lowered once.
 static MACHINE: LazyLock<CpuBackend> =

@@ -27,6 +27,10 @@ pub const KERNEL: Kernel = Kernel {
 /// Workgroups times triangles of one recording.
 const PAIRS: u32 = 1 << 14;
 
+/// Triangles of one launch: each takes at most 25 turns of an invocation's loops, of which some devices end all at 65,535
+/// (docs/adding-a-kernel.md).
+const LIST: u32 = 1 << 11;
+
 host! {
     /// Mirrors `struct Params`.
     pub struct Params {
@@ -91,7 +95,7 @@ impl HalfPlanes {
         let program = job.program(&self.program);
         let tiles = receivers.columns.div_ceil(256 / self.samples.rows);
         let rows = (PAIRS / tiles).clamp(1, receivers.rows);
-        let batch = (PAIRS / (tiles * rows)).max(1);
+        let batch = (PAIRS / (tiles * rows)).clamp(1, LIST);
         let mut first = triangles.start;
         loop {
             let end = triangles.end.min(first.saturating_add(batch));

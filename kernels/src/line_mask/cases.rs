@@ -9,7 +9,7 @@ use crate::grid::{Receivers, Samples, Triangle, XY};
 use crate::influence_region::oracle::region;
 use crate::pattern::Pattern;
 use crate::random;
-use crate::row_span::Tiles;
+use crate::tiles::Tiles;
 use crate::triangles::{Family, contacts, corners, crossing, levels};
 
 const FEW: Receivers = Receivers { origin: [-1500, -1100], step: [290, 370], height: 24_576, columns: 11, rows: 7 };

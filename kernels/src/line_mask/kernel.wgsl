@@ -37,6 +37,8 @@ const HEIGHT: u32 = 4u;
 const COUNT = WIDTH * HEIGHT;
 /// Triangles at a time.
 const BATCH = 128u / COUNT;
+/// Entries of a list that a launch takes.
+const LIST: u32 = 256u;
 
 struct Params {
     /// Receiver row of the first workgroup row.
@@ -54,11 +56,12 @@ struct Params {
     samples: u32,
     /// Samples of a word.
     bits: u32,
-    /// Words of a mask, at most 2^shift, which is at most 32.
+    /// Words of a mask, at most 32.
     words: u32,
-    shift: u32,
     /// Where the words of the cell without samples begin.
     empty: u32,
+    /// Entries of each list that earlier launches have taken.
+    skip: u32,
     view: View,
 }
 
@@ -89,6 +92,11 @@ var<workgroup> alive: array<atomic<u32>, 4>;
 var<workgroup> order: array<u32, 128>;
 /// What the workgroup has found: word w of receiver i at i << shift | w.
 var<workgroup> masks: array<atomic<u32>, 512>;
+
+/// log2 of the words, rounded up.
+fn shift() -> u32 {
+    return 32u - countLeadingZeros(params.words - 1u);
+}
 
 fn centred(p: vec3<i32>) -> vec3<i32> {
     return p - vec3<i32>(params.centre_x, params.centre_y, 0);
@@ -226,8 +234,9 @@ fn alive_below(lane: u32) -> u32 {
 fn line_mask(@builtin(workgroup_id) id: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     let group = id.xy;
     let tile = (place(group, 0u).y / params.tile_rows) * params.tiles + group.x;
-    let end = starts[tile + 1u];
-    for (var start = starts[tile]; start < end; start += BATCH) {
+    let first = starts[tile] + params.skip;
+    let end = min(starts[tile + 1u], first + LIST);
+    for (var start = first; start < end; start += BATCH) {
         workgroupBarrier();
         if (lane < 4u) {
             atomicStore(&alive[lane], 0u);
@@ -244,22 +253,22 @@ fn line_mask(@builtin(workgroup_id) id: vec3<u32>, @builtin(local_invocation_ind
             order[alive_below(lane)] = lane;
         }
         workgroupBarrier();
-        let items = alive_below(128u) << params.shift;
+        let items = alive_below(128u) << shift();
         for (var item = lane; item < items; item += 128u) {
-            let pair = order[item >> params.shift];
-            let word = item & ((1u << params.shift) - 1u);
+            let pair = order[item >> shift()];
+            let word = item & ((1u << shift()) - 1u);
             if (word < params.words) {
                 let mask = mask_of(group, pair, start, word);
                 if (mask != 0u) {
-                    atomicOr(&masks[((pair % COUNT) << params.shift) | word], mask);
+                    atomicOr(&masks[((pair % COUNT) << shift()) | word], mask);
                 }
             }
         }
     }
     workgroupBarrier();
-    for (var item = lane; item < (COUNT << params.shift); item += 128u) {
-        let at = place(group, item >> params.shift);
-        let word = item & ((1u << params.shift) - 1u);
+    for (var item = lane; item < (COUNT << shift()); item += 128u) {
+        let at = place(group, item >> shift());
+        let word = item & ((1u << shift()) - 1u);
         let mask = atomicLoad(&masks[item]);
         if (is_there(at) & (mask != 0u)) {
             atomicOr(&hidden[(word * params.view.rows + at.y) * params.view.columns + at.x], mask);

@@ -14,7 +14,8 @@ use sightlines_backend::{Define, Error, Job, Kernel, Program, Result, bindings, 
 use crate::grid::{Receivers, Triangle, View};
 use crate::pattern::Pattern;
 use crate::pieces;
-use crate::row_span::{Scene, Tiles};
+use crate::row_span::Scene;
+use crate::tiles::{Launch, Tiles};
 
 mod axes;
 mod cases;
@@ -33,6 +34,10 @@ pub const KERNEL: Kernel = Kernel {
 
 /// Workgroups times list entries of one recording.
 const PAIRS: u64 = 1 << 16;
+
+/// Entries of a tile's list that one launch takes: even if every sample is in doubt an invocation's loops turn at most 34,000
+/// times, and some devices end all at 65,535 (docs/adding-a-kernel.md).
+const LIST: u32 = 1 << 8;
 
 const GROUP: u32 = 256;
 
@@ -90,10 +95,10 @@ host! {
         pub bits: u32,
         /// Words of a mask.
         pub words: u32,
-        /// log2 of the words, rounded up.
-        pub shift: u32,
         /// Where the words of the cell without samples begin.
         pub empty: u32,
+        /// Entries of each list that earlier launches have taken.
+        pub skip: u32,
         /// Receivers.
         pub view: View,
     }
@@ -249,7 +254,11 @@ fn program(space: Space) -> Result<Arc<Program>> {
         Space::Exact => "exact",
         Space::Sampled => "sampled",
     };
-    let program = crate::program("line_mask", variant, &[Define::new("EXACT", space == Space::Exact)])?;
+    let program = crate::program(
+        "line_mask",
+        variant,
+        &[Define::new("EXACT", space == Space::Exact), Define::new("LIST", format!("{LIST}u"))],
+    )?;
     Lookups::check(&program, "line_mask")?;
     Ok(program)
 }
@@ -326,16 +335,14 @@ impl LineMask {
             return Err(Error::refused(what, "record the table of this pattern and resolution"));
         }
         let program = job.program(&self.program);
-        let mut row = 0;
-        while row < receivers.rows {
-            let end = tiles.rows_within(receivers.rows, row, height, PAIRS);
+        for Launch { rows, skip } in tiles.launches(receivers.rows, height, PAIRS, LIST) {
             pieces::cut(job);
-            let params = job.value("line mask params", &self.params(receivers, tiles, row));
+            let params = job.value("line mask params", &self.params(receivers, tiles, rows.start, skip));
             let Scene { vertices, starts, entries, hidden } = scene;
             let Table { samples, cells: table } = table;
             let bound = Lookups { params, vertices, starts, entries, samples, table, hidden };
-            job.launch(program, "line_mask", &bound, [tiles.count[0], (end - row).div_ceil(height), 1]);
-            row = end;
+            let groups = [tiles.count[0], (rows.len() as u32).div_ceil(height), 1];
+            job.launch(program, "line_mask", &bound, groups);
         }
         Ok(())
     }
@@ -357,7 +364,7 @@ impl LineMask {
         }
     }
 
-    fn params(&self, receivers: &Receivers, tiles: &Tiles, first_row: u32) -> Params {
+    fn params(&self, receivers: &Receivers, tiles: &Tiles, first_row: u32, skip: u32) -> Params {
         let [centre_x, centre_y] = self.pattern.centre();
         Params {
             first_row,
@@ -370,8 +377,8 @@ impl LineMask {
             samples: self.pattern.count(),
             bits: self.pattern.bits(),
             words: self.pattern.words(),
-            shift: self.pattern.words().next_power_of_two().ilog2(),
             empty: (self.table_words() - self.resolution.cell_words(self.pattern.words())) as u32,
+            skip,
             view: View::of(receivers),
         }
     }

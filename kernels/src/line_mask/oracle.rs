@@ -8,7 +8,7 @@ use crate::exact::oracle::angle::atan2_bam;
 use crate::exact::oracle::line::{Line, half_plane};
 use crate::grid::{Point, Receivers, Triangle};
 use crate::pattern::Pattern;
-use crate::row_span::Tiles;
+use crate::tiles::Tiles;
 
 use super::axes;
 

@@ -3,10 +3,11 @@
 
 use sightlines_backend::{Case, Expected, Job, Outputs, Result, Size};
 
-use super::{RowSpan, Scene, Tiles, oracle, tile_width};
+use super::{LIST, RowSpan, Scene, oracle, tile_width};
 use crate::grid::{Receivers, Samples, Triangle, hidden_set};
 use crate::influence_region::oracle::region;
 use crate::random;
+use crate::tiles::Tiles;
 use crate::triangles::Family;
 
 /// A light of square cells about the origin.
@@ -17,6 +18,10 @@ fn light(step: i32, columns: u32, rows: u32) -> Samples {
 
 /// Few receivers, wide apart, so that all parts of a triangle's shadow are met.
 const FEW: Receivers = Receivers { origin: [-1500, -1100], step: [290, 370], height: 24_576, columns: 11, rows: 7 };
+
+/// 77 tiles of 8 by 4 receivers.
+const SOLO: Receivers = Receivers { origin: [-1500, -1100], step: [36, 92], height: 24_576, columns: 88, rows: 28 };
+const SOLO_TILES: u32 = 77;
 
 const MANY: Receivers = Receivers { origin: [-4080, -4080], step: [32, 32], height: 24_576, columns: 256, rows: 256 };
 
@@ -36,11 +41,12 @@ pub(super) fn all() -> Vec<Case> {
         small("uneven_steps", Samples { step: [33, 97], ..light(64, 32, 32) }, FEW, mixed),
         small("low_receivers", light(16, 32, 32), Receivers { height: 40, step: [9, 7], ..FEW }, mixed),
         small("one_receiver", full, Receivers { columns: 1, rows: 1, ..FEW }, mixed),
+        long_list(),
         thicket(),
     ];
     cases.extend(Family::ALL.map(|family| {
-        let name = format!("family_{}", family.name());
-        small(&name, full, FEW, move |samples, receivers| family.triangles(24, samples, receivers, 3))
+        let make = move |s: &Samples, r: &Receivers| family.triangles(SOLO_TILES, s, r, 3);
+        solo(&format!("family_{}", family.name()), full, make)
     }));
     cases
 }
@@ -49,11 +55,13 @@ fn mixed(samples: &Samples, receivers: &Receivers) -> Vec<Triangle> {
     Family::ALL.into_iter().flat_map(|family| family.triangles(4, samples, receivers, 5)).collect()
 }
 
-/// The job of a set of triangles.
-fn job(samples: &Samples, receivers: &Receivers, triangles: &[Triangle], tile_rows: u32) -> Result<Job> {
-    let kernel = RowSpan::new(samples)?;
+fn tiles(samples: &Samples, receivers: &Receivers, triangles: &[Triangle], tile_rows: u32) -> Tiles {
     let regions: Vec<[i32; 4]> = triangles.iter().map(|t| region(t, samples, receivers)).collect();
-    let tiles = Tiles::new([tile_width(samples), tile_rows], receivers, &regions);
+    Tiles::new([tile_width(samples), tile_rows], receivers, &regions)
+}
+
+fn job(samples: &Samples, receivers: &Receivers, triangles: &[Triangle], tiles: &Tiles) -> Result<Job> {
+    let kernel = RowSpan::new(samples)?;
     let mut job = Job::new();
     let words: Vec<i32> = triangles.iter().flatten().flatten().copied().collect();
     // A binding holds at least one element.
@@ -61,9 +69,14 @@ fn job(samples: &Samples, receivers: &Receivers, triangles: &[Triangle], tile_ro
     let starts = job.slice("starts", &tiles.starts);
     let entries = job.slice("entries", if tiles.entries.is_empty() { &[0] } else { &tiles.entries[..] });
     let hidden = job.zeroed("hidden", u64::from(receivers.count()) * u64::from(samples.words()));
-    kernel.record(&mut job, receivers, &tiles, Scene { vertices, starts, entries, hidden })?;
+    kernel.record(&mut job, receivers, tiles, Scene { vertices, starts, entries, hidden })?;
     job.read("hidden", hidden.id());
     Ok(job)
+}
+
+fn probes(samples: &Samples, receivers: &Receivers) -> impl Iterator<Item = u32> + use<> {
+    let count = receivers.count();
+    (0..samples.words()).step_by(5).map(move |word| word * count + count / 2)
 }
 
 fn small(
@@ -73,14 +86,56 @@ fn small(
     make: impl Fn(&Samples, &Receivers) -> Vec<Triangle> + Clone + Send + Sync + 'static,
 ) -> Case {
     let triangles = make.clone();
-    let job = move || job(&samples, &receivers, &triangles(&samples, &receivers), 4);
+    let job = move || {
+        let triangles = triangles(&samples, &receivers);
+        job(&samples, &receivers, &triangles, &tiles(&samples, &receivers, &triangles, 4))
+    };
     let expected = move |_: &Outputs| {
         let triangles = make(&samples, &receivers);
         vec![Expected::Whole(oracle::sets(&samples, &receivers, &triangles))]
     };
-    let middle = receivers.count() / 2;
-    let probes = (0..samples.words()).step_by(5).map(move |word| word * receivers.count() + middle);
-    Case::new(name, Size::Small, job, expected).probes(probes)
+    Case::new(name, Size::Small, job, expected).probes(probes(&samples, &receivers))
+}
+
+/// A triangle for each tile: many together hide all, and would hide a bit too much as well.
+fn solo(
+    name: &str,
+    samples: Samples,
+    make: impl Fn(&Samples, &Receivers) -> Vec<Triangle> + Clone + Send + Sync + 'static,
+) -> Case {
+    let tiles = Tiles::solo([tile_width(&samples), 4], &SOLO);
+    let triangles = make.clone();
+    let lists = tiles.clone();
+    let job = move || job(&samples, &SOLO, &triangles(&samples, &SOLO), &lists);
+    let expected = move |_: &Outputs| {
+        let triangles = make(&samples, &SOLO);
+        let list = |x, y| tiles.list(x, y).iter().map(|&triangle| &triangles[triangle as usize]);
+        let set = |at: u32| hidden_set(SOLO.at(at), &samples, list(at % SOLO.columns, at / SOLO.columns));
+        let sets: Vec<Vec<u32>> = (0..SOLO.count()).map(set).collect();
+        vec![Expected::Whole((0..samples.words() as usize).flat_map(|w| sets.iter().map(move |s| s[w])).collect())]
+    };
+    Case::new(name, Size::Small, job, expected).probes(probes(&samples, &SOLO))
+}
+
+/// One tile whose list is longer than the loops of some devices, and the only triangle that hides anything at its end.
+fn long_list() -> Case {
+    let samples = light(64, 32, 32);
+    let receivers = Receivers { columns: 8, rows: 1, ..FEW };
+    let make = move || {
+        let far = [[16_000, 16_000, 100], [16_100, 16_000, 100], [16_000, 16_100, 100]];
+        let mut triangles = vec![far; 16 * LIST as usize];
+        triangles.push([[-300, -200, 12_288], [300, 0, 12_288], [0, 300, 12_000]]);
+        triangles
+    };
+    let job = move || {
+        let triangles = make();
+        let entries: Vec<u32> = (0..triangles.len() as u32).collect();
+        let tiles = Tiles { size: [8, 1], count: [1, 1], starts: vec![0, entries.len() as u32], entries };
+        job(&samples, &receivers, &triangles, &tiles)
+    };
+    let expected =
+        move |_: &Outputs| vec![Expected::Whole(oracle::sets(&samples, &receivers, &make()[16 * LIST as usize..]))];
+    Case::new("long_list", Size::Small, job, expected).probes(probes(&samples, &receivers))
 }
 
 fn leaves() -> Vec<Triangle> {
@@ -102,7 +157,7 @@ fn thicket() -> Case {
         });
         vec![Expected::Sample { words: words.collect(), seed: u64::from(SEED) }]
     };
-    let job = move || job(&samples, &MANY, &leaves(), 8);
+    let job = move || job(&samples, &MANY, &leaves(), &tiles(&samples, &MANY, &leaves(), 8));
     let centre = MANY.count() / 2 + MANY.columns / 2;
     Case::new("thicket_20000", Size::Real, job, expected).probes((0..32).step_by(5).map(|w| w * MANY.count() + centre))
 }

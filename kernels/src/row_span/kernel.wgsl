@@ -25,6 +25,8 @@ import package::shared::view::{View, receiver_at, sample_row, below};
 const COLUMNS: u32 = 32u;
 /// Samples along y: a power of two up to 32.
 const ROWS: u32 = 32u;
+/// Entries of a list that a launch takes.
+const LIST: u32 = 4096u;
 /// Receivers of one workgroup.
 const COUNT = 256u / ROWS;
 
@@ -35,7 +37,8 @@ struct Params {
     tile_rows: u32,
     /// Tiles along x, COUNT receivers each.
     tiles: u32,
-    _pad: u32,
+    /// Entries of each list that earlier launches have taken.
+    skip: u32,
     view: View,
 }
 
@@ -194,9 +197,10 @@ fn row_span(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_i
     let i = lane % COUNT;
     let j = lane / COUNT;
     let tile = (row / params.tile_rows) * params.tiles + group.x;
-    let end = starts[tile + 1u];
+    let first = starts[tile] + params.skip;
+    let end = min(starts[tile + 1u], first + LIST);
     var mask = 0u;
-    for (var start = starts[tile]; start < end; start += 256u) {
+    for (var start = first; start < end; start += 256u) {
         let count = min(end - start, 256u);
         workgroupBarrier();
         if (lane < count) {

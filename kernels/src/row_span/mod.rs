@@ -10,6 +10,7 @@ use sightlines_backend::{Define, Error, Job, Kernel, Program, Result, bindings, 
 
 use crate::grid::{Receivers, Samples, Triangle, View};
 use crate::pieces;
+use crate::tiles::{Launch, Tiles};
 
 mod cases;
 pub mod oracle;
@@ -26,6 +27,10 @@ pub const KERNEL: Kernel = Kernel {
 /// Workgroups times list entries of one recording: a second or two on the slowest software device.
 const PAIRS: u64 = 1 << 17;
 
+/// Entries of a tile's list that one launch takes: an entry takes at most 13 turns of an invocation's loops, of which some
+/// devices end all at 65,535 (docs/adding-a-kernel.md).
+const LIST: u32 = 1 << 12;
+
 host! {
     /// Mirrors `struct Params`.
     pub struct Params {
@@ -35,8 +40,8 @@ host! {
         pub tile_rows: u32,
         /// Tiles along x.
         pub tiles: u32,
-        /// WGSL places structs of a uniform at multiples of 16 bytes.
-        pub _pad: u32,
+        /// Entries of each list that earlier launches have taken.
+        pub skip: u32,
         /// Light and receivers.
         pub view: View,
     }
@@ -53,78 +58,6 @@ bindings! {
     }
 }
 
-/// Lists of triangles, one for each tile of receivers.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Tiles {
-    /// Receivers of a tile along x and y.
-    pub size: [u32; 2],
-    /// Tiles along x and y.
-    pub count: [u32; 2],
-    /// First entry of each tile, and one past the last entry.
-    pub starts: Vec<u32>,
-    /// Triangle numbers, ascending within a tile.
-    pub entries: Vec<u32>,
-}
-
-impl Tiles {
-    /// Sorts triangles into tiles by their regions (first and last column, first and last row, as
-    /// [`crate::influence_region`] writes them).
-    pub fn new(size: [u32; 2], receivers: &Receivers, regions: &[[i32; 4]]) -> Self {
-        let count = [receivers.columns.div_ceil(size[0]), receivers.rows.div_ceil(size[1])];
-        let tiles = |[x0, x1, y0, y1]: [i32; 4]| {
-            let empty = x0 > x1 || y0 > y1;
-            let range = |first: i32, last: i32, size: u32| {
-                if empty { 0..0 } else { first as u32 / size..last as u32 / size + 1 }
-            };
-            let columns = range(x0, x1, size[0]);
-            range(y0, y1, size[1]).flat_map(move |y| columns.clone().map(move |x| (y * count[0] + x) as usize))
-        };
-        let mut starts = vec![0u32; (count[0] * count[1]) as usize + 1];
-        regions.iter().flat_map(|region| tiles(*region)).for_each(|tile| starts[tile + 1] += 1);
-        (1..starts.len()).for_each(|tile| starts[tile] += starts[tile - 1]);
-        let mut next = starts.clone();
-        let mut entries = vec![0; starts[starts.len() - 1] as usize];
-        for (triangle, region) in regions.iter().enumerate() {
-            for tile in tiles(*region) {
-                entries[next[tile] as usize] = triangle as u32;
-                next[tile] += 1;
-            }
-        }
-        Tiles { size, count, starts, entries }
-    }
-
-    /// Tiles that have one triangle each, in order: what each of them hides shows by itself.
-    pub fn solo(size: [u32; 2], receivers: &Receivers) -> Self {
-        let count = [receivers.columns.div_ceil(size[0]), receivers.rows.div_ceil(size[1])];
-        let tiles = count[0] * count[1];
-        Tiles { size, count, starts: (0..=tiles).collect(), entries: (0..tiles).collect() }
-    }
-
-    /// The triangles of the tile that holds receiver (x, y).
-    pub fn list(&self, x: u32, y: u32) -> &[u32] {
-        let tile = (y / self.size[1] * self.count[0] + x / self.size[0]) as usize;
-        &self.entries[self.starts[tile] as usize..self.starts[tile + 1] as usize]
-    }
-
-    /// Receiver rows from `row` on that one recording takes, up to `rows` and in steps of `step`: the first that brings the
-    /// workgroups' list entries to `pairs` ends it.
-    pub fn rows_within(&self, rows: u32, row: u32, step: u32, pairs: u64) -> u32 {
-        let mut cost = 0;
-        let mut end = row;
-        while end < rows && cost < pairs {
-            cost += self.row_entries(end / self.size[1]) + u64::from(self.count[0]);
-            end += step;
-        }
-        end.min(rows)
-    }
-
-    /// Entries of the tiles in a row of tiles.
-    fn row_entries(&self, row: u32) -> u64 {
-        let first = (row * self.count[0]) as usize;
-        u64::from(self.starts[first + self.count[0] as usize] - self.starts[first])
-    }
-}
-
 /// Receivers of one workgroup, and so the width of a tile.
 pub fn tile_width(samples: &Samples) -> u32 {
     256 / samples.rows
@@ -136,7 +69,8 @@ pub fn is_between(triangle: &Triangle, height: i32) -> bool {
 }
 
 fn program(columns: u32, rows: u32) -> Result<Arc<Program>> {
-    let defines = [Define::new("COLUMNS", format!("{columns}u")), Define::new("ROWS", format!("{rows}u"))];
+    let values = [("COLUMNS", columns), ("ROWS", rows), ("LIST", LIST)];
+    let defines = values.map(|(name, value)| Define::new(name, format!("{value}u")));
     let program = crate::program("row_span", &format!("{columns}x{rows}"), &defines)?;
     Spans::check(&program, "row_span")?;
     Ok(program)
@@ -178,21 +112,18 @@ impl RowSpan {
             return Err(Error::refused(what, remedy));
         }
         let program = job.program(&self.program);
-        let mut row = 0;
-        while row < receivers.rows {
-            let end = tiles.rows_within(receivers.rows, row, 1, PAIRS);
+        for Launch { rows, skip } in tiles.launches(receivers.rows, 1, PAIRS, LIST) {
             pieces::cut(job);
-            let params = job.value("row span params", &self.params(receivers, tiles, row));
+            let params = job.value("row span params", &self.params(receivers, tiles, rows.start, skip));
             let Scene { vertices, starts, entries, hidden } = scene;
             let bound = Spans { params, vertices, starts, entries, hidden };
-            job.launch(program, "row_span", &bound, [tiles.count[0], end - row, 1]);
-            row = end;
+            job.launch(program, "row_span", &bound, [tiles.count[0], rows.len() as u32, 1]);
         }
         Ok(())
     }
 
-    fn params(&self, receivers: &Receivers, tiles: &Tiles, first_row: u32) -> Params {
+    fn params(&self, receivers: &Receivers, tiles: &Tiles, first_row: u32, skip: u32) -> Params {
         let view = View::new(&self.samples, receivers);
-        Params { first_row, tile_rows: tiles.size[1], tiles: tiles.count[0], _pad: 0, view }
+        Params { first_row, tile_rows: tiles.size[1], tiles: tiles.count[0], skip, view }
     }
 }

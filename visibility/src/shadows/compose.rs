@@ -8,7 +8,8 @@ use sightlines_kernels::grid::{Receivers, Triangle};
 use sightlines_kernels::half_planes::HalfPlanes;
 use sightlines_kernels::influence_region::InfluenceRegion;
 use sightlines_kernels::popcount::{Method, Popcount, Shape};
-use sightlines_kernels::row_span::{RowSpan, Scene, Tiles, tile_width};
+use sightlines_kernels::row_span::{RowSpan, Scene, tile_width};
+use sightlines_kernels::tiles::Tiles;
 
 use super::Work;
 use super::snap::Snapped;
