@@ -145,6 +145,7 @@ fn region_sets_of_too_many_objects_channels_or_regions() {
         (region_sets::Shape { channels: 9, ..shape }, "9 channels"),
         (region_sets::Shape { channels: 0, ..shape }, "0 channels"),
         (region_sets::Shape { limit: 65, ..shape }, "65 regions"),
+        (region_sets::Shape { objects: 2000, limit: 10, ..shape }, "2000 objects with 10 regions"),
         (region_sets::Shape { width: 4097, ..shape }, "4097 columns"),
         (region_sets::Shape { height: 0, ..shape }, "0 rows"),
         (region_sets::Shape { objects: 3, ..shape }, "2 rectangles"),

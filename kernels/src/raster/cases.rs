@@ -43,10 +43,12 @@ pub(super) fn all() -> Vec<Case> {
         small("past_the_budget", past_the_budget),
     ];
     cases.extend(Family::ALL.map(|f| small(&format!("family_{}", f.name()), move || family(f, picture(64, 64), 60))));
+    // Every one in 64 bits, and all of them in the picture: the most that a workgroup draws.
+    cases.push(small("huge_256", || family(Family::Huge, picture(64, 64), 256)));
     cases.push(case("bands", Size::Real, bands, [0, 2048 * 64, 1024 * 192 + 7]));
     cases.push(case("balls_500", Size::Real, balls, [1024 * 511 + 500, 1024 * 700 + 300]));
-    cases.push(case("room_1024", Size::Real, || room(1024, 300.0), [0, 1024 * 512 + 512, 1024 * 1023 + 7]));
-    cases.push(case("terrain_4096", Size::Real, terrain, [4096 * 2048 + 17, 4096 * 3000 + 4000]));
+    cases.push(case("room_512", Size::Real, || room(512, 300.0), [0, 512 * 256 + 256, 512 * 511 + 7]));
+    cases.push(case("terrain_4096", Size::Real, terrain, [4096 * 256 + 17, 4096 * 400 + 4000]));
     cases
 }
 
@@ -150,7 +152,7 @@ fn balls() -> Input {
     camera(1024, 1.0, 60, 500)
 }
 
-/// Hills of 2,048 triangles under a camera, in the largest picture.
+/// Hills of 2,048 triangles under a camera, in the widest picture.
 fn terrain() -> Input {
     let mut shape = Shape::default();
     for (row, column) in (0..33).flat_map(|row| (0..33).map(move |column| (row, column))) {
@@ -163,7 +165,7 @@ fn terrain() -> Input {
     }
     let mut scene = shape.drawn(&[seen_from_origin(SCALE, 16.0, [0.0, -40.0, 900.0], 0.07, 0)]);
     scene.ids = Ids { base: 0, step: 0, shift: 6 };
-    Input { view: View { picture: picture(4096, 4096), near: 4096 }, scenes: vec![scene], bias: 64 }
+    Input { view: View { picture: picture(4096, 512), near: 4096 }, scenes: vec![scene], bias: 64 }
 }
 
 fn small(name: &str, make: impl Fn() -> Input + Clone + Send + Sync + 'static) -> Case {

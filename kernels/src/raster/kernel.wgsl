@@ -6,7 +6,7 @@
 // path meets them.
 //
 // `clear` sets a buffer, bound as `depth`, to 2^32 - 1. `project` puts the vertices of all instances on the screen.
-// `small` draws the triangles of a few pixels, a lane each, and marks those that `large` draws: a workgroup each 256
+// `small` draws the triangles of a few pixels, a lane each, and marks those that `large` draws: a workgroup each 32
 // triangles and band of rows, one triangle after another, 256 pixels at a time. With ITEMS false both leave the least
 // depth in `depth`; with ITEMS true, once the depths of all meshes are known, they leave in `items` the least id of the
 // triangles that have that depth. `points` tells which projected points are not behind the depths of their pixels.
@@ -200,11 +200,15 @@ fn cut_triangle(instance: u32, corner: vec3<u32>, front: vec3<bool>) -> Fan {
     let a = clip_point(instance, turned.x);
     let b = clip_point(instance, turned.y);
     let c = clip_point(instance, turned.z);
+    let two = vec4<bool>(b.z >= 0);
+    let other = to_screen(cut(select(a, b, two), select(b, c, two)));
     let last = to_screen(cut(a, c));
-    if (b.z < 0) {
-        return Fan(to_screen(a), to_screen(cut(a, b)), last, last, 1u);
+    let first_vertex = instance * params.vertices;
+    let first = screen[first_vertex + turned.x].xyz;
+    if (two.x) {
+        return Fan(first, screen[first_vertex + turned.y].xyz, other, last, 2u);
     }
-    return Fan(to_screen(a), to_screen(b), to_screen(cut(b, c)), last, 2u);
+    return Fan(first, other, last, last, 1u);
 }
 
 /// Draws the rows from `top` to `bottom` of a marked triangle.
@@ -230,16 +234,16 @@ fn draw(number: u32, top: i32, bottom: i32, lane: u32) {
 
 @compute @workgroup_size(256)
 fn large(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    let first_word = (params.first + group.x) * 8u;
-    let end_word = min(first_word + 8u, (params.triangles * params.instances + 31u) / 32u);
+    let word = params.first + group.x;
+    if (word >= (params.triangles * params.instances + 31u) / 32u) {
+        return;
+    }
     let top = group.y * params.band;
     let bottom = min(top + params.band, params.height) - 1u;
-    for (var word = first_word; word < end_word; word += 1u) {
-        var bits = marked[word];
-        while (bits != 0u) {
-            draw(32u * word + firstTrailingBit(bits), bitcast<i32>(top), bitcast<i32>(bottom), lane);
-            bits &= bits - 1u;
-        }
+    var bits = marked[word];
+    while (bits != 0u) {
+        draw(32u * word + firstTrailingBit(bits), bitcast<i32>(top), bitcast<i32>(bottom), lane);
+        bits &= bits - 1u;
     }
 }
 

@@ -50,8 +50,13 @@ pub const MAX_TRIANGLES: u32 = 1 << 30;
 /// Items a workgroup.
 const GROUP: u32 = 256;
 
-/// Pixels of a band of rows: what bounds the work of one workgroup.
-const BAND_PIXELS: u32 = 1 << 18;
+/// Triangles of one workgroup of `large`.
+const LARGE: u32 = 32;
+
+/// Most turns of the loops over tiles that a triangle takes in a band of rows. Each of `LARGE` triangles, or of twice
+/// as many where the near plane cuts them in two, takes these and 181 for its slopes: 49,473 turns at most with what
+/// is around them (docs/numerics.md, Turns of loops).
+const TILE_TURNS: u32 = 590;
 
 /// Words that a triangle drawn by one lane may touch: its vertices, and a depth and an item for each of its pixels.
 const SMALL_WORDS: u32 = 15 + 2 * 256;
@@ -125,7 +130,7 @@ impl Projected {
             vertices: vertex_count,
             triangles: triangle_count,
             instances: instance_count,
-            band: (BAND_PIXELS / width).min(height),
+            band: self.view.picture.band(),
             ..Params::zeroed()
         }
     }
@@ -310,8 +315,8 @@ impl Raster {
             job.launch(program, "small", &bound, [piece.len() as u32, 1, 1]);
         });
         let bands = params.height.div_ceil(params.band);
-        let words = (projected.view.picture.pixels() / 4).max(GROUP);
-        pieces::record(job, groups, u64::from(words), |job, piece| {
+        let words = (projected.view.picture.pixels() / 32).max(GROUP);
+        pieces::record(job, mesh.triangles().div_ceil(LARGE), u64::from(words), |job, piece| {
             let params = job.value("raster params", &Params { first: piece.start, ..params });
             let bound = Large { params, vertices, indices, rows, screen, marked: marks, depth, items };
             job.launch(program, "large", &bound, [piece.len() as u32, bands, 1]);

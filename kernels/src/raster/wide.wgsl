@@ -24,21 +24,32 @@ struct Slope {
     r: vec2<u32>,
 }
 
-/// n / d, rounded down, for 0 < d < 2^63: bit by bit.
-fn divide64(n: vec2<u32>, d: vec2<u32>) -> Slope {
+/// A division bit by bit: what is left of the numerator, and what is known of the quotient.
+struct Division {
+    left: vec2<u32>,
+    known: Slope,
+}
+
+fn begin_division(n: vec2<u32>) -> Division {
+    return Division(n ^ vec2<u32>(select(0u, 0xffffffffu, is_negative(n))), Slope(0u, vec2<u32>(0u)));
+}
+
+/// One more bit; `part` is taken off if it fits.
+fn next_bit(a: Slope, part: vec2<u32>) -> Slope {
+    let fits = !ltu64(a.r, part);
+    return Slope((a.q << 1u) | select(0u, 1u, fits), select(a.r, sub64(a.r, part), fits));
+}
+
+fn divide_bit(a: Division, d: vec2<u32>) -> Division {
+    let r = shl64(a.known.r, 1u) | vec2<u32>(a.left.y >> 31u, 0u);
+    return Division(shl64(a.left, 1u), next_bit(Slope(a.known.q, r), d));
+}
+
+/// n / d, rounded down.
+fn end_division(a: Slope, n: vec2<u32>, d: vec2<u32>) -> Slope {
     let negative = is_negative(n);
-    let flip = select(0u, 0xffffffffu, negative);
-    var left = n ^ vec2<u32>(flip);
-    var out = Slope(0u, vec2<u32>(0u));
-    for (var bit = 0u; bit < 64u; bit += 1u) {
-        out.r = shl64(out.r, 1u);
-        out.r.x |= left.y >> 31u;
-        left = shl64(left, 1u);
-        let fits = !ltu64(out.r, d);
-        out.r = select(out.r, sub64(out.r, d), fits);
-        out.q = (out.q << 1u) | select(0u, 1u, fits);
-    }
-    return Slope(out.q ^ flip, select(out.r, sub64(sub64(d, vec2<u32>(1u, 0u)), out.r), negative));
+    let last = sub64(d, vec2<u32>(1u, 0u));
+    return Slope(a.q ^ select(0u, 0xffffffffu, negative), select(a.r, sub64(last, a.r), negative));
 }
 
 /// r, and 1 more for each of two times that s goes into it.
@@ -53,8 +64,16 @@ fn reduce(q: u32, r: vec2<u32>, s: vec2<u32>) -> Slope {
 fn slope64(u: vec2<u32>, v: vec2<u32>, du: i32, dv: i32, s: vec2<u32>) -> Slope {
     let m = abs(du);
     let n = abs(dv);
-    let a = divide64(select(u, neg64(u), vec2<bool>(du < 0)), s);
-    let b = divide64(select(v, neg64(v), vec2<bool>(dv < 0)), s);
+    let su = select(u, neg64(u), vec2<bool>(du < 0));
+    let sv = select(v, neg64(v), vec2<bool>(dv < 0));
+    var x = begin_division(su);
+    var y = begin_division(sv);
+    for (var bits = 0u; bits < 64u; bits += 2u) {
+        x = divide_bit(divide_bit(x, s), s);
+        y = divide_bit(divide_bit(y, s), s);
+    }
+    let a = end_division(x.known, su, s);
+    let b = end_division(y.known, sv, s);
     var sum = Slope(0u, vec2<u32>(0u));
     for (var bit = 25u; bit > 0u; bit -= 1u) {
         let am = 0u - ((bitcast<u32>(m) >> (bit - 1u)) & 1u);
@@ -84,15 +103,8 @@ fn times(a: vec2<u32>, k: u32) -> vec2<u32> {
 
 /// floor(r / s) for r < 32 s < 2^64.
 fn carries64(r: vec2<u32>, s: vec2<u32>) -> u32 {
-    var left = r;
-    var q = 0u;
-    for (var bit = 5u; bit > 0u; bit -= 1u) {
-        let part = shl64(s, bit - 1u);
-        let fits = !ltu64(left, part);
-        left = select(left, sub64(left, part), fits);
-        q = (q << 1u) | select(0u, 1u, fits);
-    }
-    return q;
+    let two = next_bit(next_bit(Slope(0u, r), shl64(s, 4u)), shl64(s, 3u));
+    return next_bit(next_bit(next_bit(two, shl64(s, 2u)), shl64(s, 1u)), s).q;
 }
 
 /// An edge function: at the first pixel of a tile, and over 16 as it grows to the right and down.
@@ -131,11 +143,18 @@ fn draw_wide(a: vec3<i32>, b: vec3<i32>, c: vec3<i32>, low: vec2<i32>, high: vec
     let ab = edge64(a.xy, b.xy, p);
     let db = b.z - a.z;
     let dc = c.z - a.z;
-    let right = slope64(imul_wide(16, ca.right), imul_wide(16, ab.right), db, dc, s);
-    let down = slope64(imul_wide(16, ca.down), imul_wide(16, ab.down), db, dc, s);
+    // Along a row, along a column, and at the first pixel.
+    var u = array<vec2<u32>, 3>(imul_wide(16, ca.right), imul_wide(16, ca.down), ca.start);
+    var v = array<vec2<u32>, 3>(imul_wide(16, ab.right), imul_wide(16, ab.down), ab.start);
+    var slopes: array<Slope, 3>;
+    for (var k = 0u; k < 3u; k += 1u) {
+        slopes[k] = slope64(u[k], v[k], db, dc, s);
+    }
+    let right = slopes[0];
+    let down = slopes[1];
+    var row_depth = slopes[2];
     let tile_right = sixteen64(right, s);
     let tile_down = sixteen64(down, s);
-    var row_depth = slope64(ca.start, ab.start, db, dc, s);
     row_depth.q += bitcast<u32>(a.z);
 
     let i = lane % 16u;

@@ -40,8 +40,9 @@ pub(super) fn all() -> Vec<Case> {
         small("limit_6", 2, 6, |w, h| discs(40, w, h, 2)),
         small("one_past_word", 3, 16, |w, h| discs(33, w, h, 3)),
         small("one_past_group", 8, 8, |w, h| discs(257, w, h, 4)),
+        case("met_by_1999", Size::Real, (1, 9), (136, 135), met_by_many),
         case("discs_300", Size::Real, (4, 32), (512, 512), |w, h| scattered(300, w, h, 5)),
-        case("discs_2000", Size::Real, (8, 16), (1024, 1024), |w, h| scattered(2000, w, h, 6)),
+        case("discs_2000", Size::Real, (8, 9), (1024, 1024), |w, h| scattered(2000, w, h, 6)),
     ]
 }
 
@@ -65,6 +66,13 @@ fn squares(width: u32, height: u32, rectangles: &[[u32; 4]]) -> Screen {
 
 fn nested(width: u32, height: u32) -> Screen {
     let rectangles: Vec<[u32; 4]> = (0..12).map(|i| [2 * i, i, 60 - 2 * i, 44 - i]).collect();
+    squares(width, height, &rectangles)
+}
+
+/// A rectangle that finds no channel among all others: the most regions that one object may be divided by.
+fn met_by_many(width: u32, height: u32) -> Screen {
+    let mut rectangles = vec![[0, 0, width, height]];
+    rectangles.extend((0..1999).map(|i| (3 * (i % 45), 3 * (i / 45))).map(|(x, y)| [x, y, x + 2, y + 2]));
     squares(width, height, &rectangles)
 }
 

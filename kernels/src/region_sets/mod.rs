@@ -36,6 +36,9 @@ pub const MAX_CHANNELS: u32 = 8;
 /// Places for regions that an object has, of which `limit` may be used.
 pub const MAX_REGIONS: u32 = 64;
 
+/// Most of `objects * (limit + 2)`: what the regions that an object may meet cost the one workgroup that divides it.
+pub const MAX_MET: u32 = 22_000;
+
 /// Corners of an outline.
 pub const CORNERS: u32 = 8;
 
@@ -128,7 +131,8 @@ pub struct Shape {
     pub objects: u32,
     /// Number of channels, 1 to [`MAX_CHANNELS`].
     pub channels: u32,
-    /// Most regions of an object, 1 to [`MAX_REGIONS`]; beyond it visibility is over-estimated.
+    /// Most regions of an object, 1 to [`MAX_REGIONS`]; beyond it visibility is over-estimated. With `objects` it keeps
+    /// to [`MAX_MET`].
     pub limit: u32,
     /// Columns of the picture, 1 to 4096.
     pub width: u32,
@@ -313,10 +317,20 @@ impl Shape {
             ("rows", height, 1..=4096),
         ];
         let out = ranges.into_iter().find(|(_, value, range)| !range.contains(value));
-        out.map_or(Ok(()), |(name, value, range)| {
+        if let Some((name, value, range)) = out {
             let remedy = format!("use {} to {} {name}", range.start(), range.end());
-            Err(Error::refused(format!("region sets with {value} {name}"), remedy))
-        })
+            return Err(Error::refused(format!("region sets with {value} {name}"), remedy));
+        }
+        if objects * (limit + 2) > MAX_MET {
+            let what = format!("region sets of {objects} objects with {limit} regions each");
+            let remedy = format!(
+                "use at most {} regions, or {} objects: the regions that one object may meet are divided by at once",
+                MAX_MET / objects - 2,
+                MAX_MET / (limit + 2)
+            );
+            return Err(Error::refused(what, remedy));
+        }
+        Ok(())
     }
 }
 

@@ -9,34 +9,46 @@
 // are merged, the first pair first. A piece gets the channel in which regions overlap it least, by pixels; lowest
 // number among equals, so a free one if there is one.
 //
-// lavapipe ends all loops of an invocation after 65,535 turns. A region that an object meets takes about 50, so a
-// dispatch divides one object, and loops over lanes are few.
+// Invariant: a region of a neighbour costs an invocation one turn of a loop to divide by it and one to weigh it, for
+// nothing beneath loops; a neighbour costs four more. The host refuses what would make 50,000 (docs/numerics.md,
+// Turns of loops).
 
 require NONE: u32;
 
 var<workgroup> piece_at: array<vec4<u32>, 64>;
 var<workgroup> occupied_at: array<u32, 64>;
-/// A word of every lane, what comes of all of them, and what lane 0 tells all.
-var<workgroup> made: array<u32, 64>;
+/// A number below 8 of every lane: bit k of lane i is bit i % 32 of word 2 k + i / 32.
+var<workgroup> planes: array<atomic<u32>, 6>;
+/// What comes of all lanes, and what lane 0 tells all.
 var<workgroup> tally: atomic<u32>;
 var<workgroup> head: u32;
+
+/// Whether a rectangle lies beyond the line from a to b.
+fn is_beyond(a: vec2<i32>, b: vec2<i32>, low: vec2<i32>, high: vec2<i32>) -> bool {
+    let d = b - a;
+    // d x (p - a) at the corner where it is largest.
+    let p = select(low, high, vec2<bool>((d.y < 0), (d.x > 0)));
+    return d.x * (p.y - a.y) - d.y * (p.x - a.x) < 0;
+}
 
 /// Whether the outline of an object reaches into a rectangle, or touches it.
 fn outline_meets(object: u32, r: vec4<u32>) -> bool {
     let low = vec2<i32>(r.xy);
     let high = vec2<i32>(r.zw);
-    var least = outlines[8u * object];
-    var most = least;
-    var apart = false;
-    for (var i = 0u; i < 8u; i += 1u) {
-        let a = outlines[8u * object + i];
-        let d = outlines[8u * object + (i + 1u) % 8u] - a;
-        least = min(least, a);
-        most = max(most, a);
-        // d x (p - a) at the corner where it is largest.
-        let p = select(low, high, vec2<bool>((d.y < 0), (d.x > 0)));
-        apart |= d.x * (p.y - a.y) - d.y * (p.x - a.x) < 0;
-    }
+    let at = 8u * object;
+    let a = outlines[at];
+    let b = outlines[at + 1u];
+    let c = outlines[at + 2u];
+    let d = outlines[at + 3u];
+    let e = outlines[at + 4u];
+    let f = outlines[at + 5u];
+    let g = outlines[at + 6u];
+    let h = outlines[at + 7u];
+    let least = min(min(min(a, b), min(c, d)), min(min(e, f), min(g, h)));
+    let most = max(max(max(a, b), max(c, d)), max(max(e, f), max(g, h)));
+    let apart = is_beyond(a, b, low, high) | is_beyond(b, c, low, high) | is_beyond(c, d, low, high)
+        | is_beyond(d, e, low, high) | is_beyond(e, f, low, high) | is_beyond(f, g, low, high)
+        | is_beyond(g, h, low, high) | is_beyond(h, a, low, high);
     return !apart & all(least <= high) & all(most >= low);
 }
 
@@ -63,27 +75,27 @@ fn kept(r: vec4<u32>, exists: bool) -> Pieces {
     return out;
 }
 
+fn add_piece(out: ptr<function, Pieces>, r: vec4<u32>) {
+    if (!is_empty(r)) {
+        (*out).rectangles[(*out).count] = r;
+        (*out).count += 1u;
+    }
+}
+
 /// A piece cut around its part v: above, left, v itself if it is kept, right, below.
 fn divided(r: vec4<u32>, v: vec4<u32>, with_part: bool) -> Pieces {
     var out: Pieces;
-    let all_pieces = array<vec4<u32>, 5>(vec4<u32>(r.xyz, v.y), vec4<u32>(r.x, v.y, v.x, v.w), v,
-        vec4<u32>(v.z, v.y, r.z, v.w), vec4<u32>(r.x, v.w, r.zw));
-    out.part = NONE;
-    for (var i = 0u; i < 5u; i += 1u) {
-        if (select(!is_empty(all_pieces[i]), with_part, i == 2u)) {
-            if (i == 2u) {
-                out.part = out.count;
-            }
-            out.rectangles[out.count] = all_pieces[i];
-            out.count += 1u;
-        }
-    }
+    add_piece(&out, vec4<u32>(r.xyz, v.y));
+    add_piece(&out, vec4<u32>(r.x, v.y, v.x, v.w));
+    out.part = select(NONE, out.count, with_part);
+    add_piece(&out, select(vec4<u32>(0u), v, vec4<bool>(with_part)));
+    add_piece(&out, vec4<u32>(v.z, v.y, r.z, v.w));
+    add_piece(&out, vec4<u32>(r.x, v.w, r.zw));
     return out;
 }
 
 /// Sum over all lanes; uniform.
 fn total_of(value: u32, lane: u32) -> u32 {
-    made[lane] = value;
     atomicAdd(&tally, value);
     workgroupBarrier();
     if (lane == 0u) {
@@ -93,13 +105,37 @@ fn total_of(value: u32, lane: u32) -> u32 {
     return workgroupUniformLoad(&head);
 }
 
-/// Sum over the lanes before this one of what the last total was taken of.
-fn before(lane: u32) -> u32 {
-    var sum = 0u;
-    for (var i = 0u; i < 64u; i += 1u) {
-        sum += select(0u, made[i], i < lane);
+fn set_bit(k: u32, value: u32, lane: u32) {
+    atomicOr(&planes[2u * k + lane / 32u], ((value >> k) & 1u) << (lane % 32u));
+}
+
+/// What bit k of all lanes before this one adds up to.
+fn bits_before(k: u32, lane: u32) -> u32 {
+    let within = (1u << (lane % 32u)) - 1u;
+    let low = atomicLoad(&planes[2u * k]) & select(within, 0xffffffffu, lane >= 32u);
+    let high = atomicLoad(&planes[2u * k + 1u]) & select(0u, within, lane >= 32u);
+    return (countOneBits(low) + countOneBits(high)) << k;
+}
+
+/// Sum of values below 8 over the lanes before this one.
+fn before(value: u32, lane: u32) -> u32 {
+    if (lane < 6u) {
+        atomicStore(&planes[lane], 0u);
     }
-    return sum;
+    workgroupBarrier();
+    set_bit(0u, value, lane);
+    set_bit(1u, value, lane);
+    set_bit(2u, value, lane);
+    workgroupBarrier();
+    return bits_before(0u, lane) + bits_before(1u, lane) + bits_before(2u, lane);
+}
+
+/// Puts piece `i` of those that a lane has made where all lanes see it.
+fn place_piece(pieces: ptr<function, Pieces>, i: u32, place: u32, occupied: u32, bit: u32) {
+    if (i < (*pieces).count) {
+        piece_at[place + i] = (*pieces).rectangles[i];
+        occupied_at[place + i] = occupied | select(0u, bit, i == (*pieces).part);
+    }
 }
 
 /// Divides the pieces by the region at `at` of another object; returns how many there are now.
@@ -126,11 +162,12 @@ fn divide_by(object: u32, other: u32, at: u32, count: u32, lane: u32) -> u32 {
         }
         total = total_of(pieces.count, lane);
     }
-    let place = before(lane);
-    for (var i = 0u; i < pieces.count; i += 1u) {
-        piece_at[place + i] = pieces.rectangles[i];
-        occupied_at[place + i] = occupied | select(0u, bit, i == pieces.part);
-    }
+    let place = before(pieces.count, lane);
+    place_piece(&pieces, 0u, place, occupied, bit);
+    place_piece(&pieces, 1u, place, occupied, bit);
+    place_piece(&pieces, 2u, place, occupied, bit);
+    place_piece(&pieces, 3u, place, occupied, bit);
+    place_piece(&pieces, 4u, place, occupied, bit);
     workgroupBarrier();
     return total;
 }
