@@ -1,4 +1,4 @@
-//! Preparing a job and timing its dispatches with criterion.
+//! Preparing a job and timing what the device does in it with criterion: dispatches, clears and copies.
 //!
 //! Invariant: what is repeated does the same work each time. A job in which the host writes a buffer that an earlier
 //! dispatch had bound cannot be repeated without that write, and is refused.
@@ -43,7 +43,7 @@ impl Sampling {
     pub const QUICK: Sampling = Sampling { samples: 10, warm_up: 20, measure: 100, long: 50 };
 }
 
-/// A job on a machine: memory filled, and one recording that holds nothing but its dispatches.
+/// A job on a machine: memory filled, and one recording that holds what the device does.
 pub struct Prepared<'a> {
     session: Box<dyn Session + 'a>,
     dispatches: Recording,
@@ -86,26 +86,26 @@ impl<'a> Prepared<'a> {
     }
 }
 
-/// All dispatches of a job as one recording.
+/// What the device does in a job, as one recording: all but the host's uploads.
 fn dispatches(job: &Job) -> BackendResult<Recording> {
     let mut bound = HashSet::new();
     let mut commands = Vec::new();
     for command in job.recordings.iter().flat_map(|recording| &recording.commands) {
-        let written = match command {
-            Command::Dispatch(dispatch) => {
-                bound.extend(dispatch.slots.iter().map(|slot| slot.buffer));
-                commands.push(command.clone());
-                continue;
+        match command {
+            Command::Upload { buffer, .. } if bound.contains(buffer) => {
+                let label = &job.buffers[buffer.0 as usize].label;
+                return Err(sightlines_backend::Error::refused(
+                    format!(
+                        "work that cannot be repeated alone: the host writes `{label}` after a dispatch that binds it"
+                    ),
+                    "give each dispatch of a measured case buffers of its own",
+                ));
             }
-            Command::Upload { buffer, .. } | Command::Clear { buffer, .. } | Command::Copy { to: buffer, .. } => buffer,
-        };
-        if bound.contains(written) {
-            let label = &job.buffers[written.0 as usize].label;
-            return Err(sightlines_backend::Error::refused(
-                format!("dispatches that cannot be repeated alone: the host writes `{label}` after one that binds it"),
-                "give each dispatch of a measured case buffers of its own",
-            ));
+            Command::Upload { .. } => continue,
+            Command::Dispatch(dispatch) => bound.extend(dispatch.slots.iter().map(|slot| slot.buffer)),
+            Command::Clear { .. } | Command::Copy { .. } => {}
         }
+        commands.push(command.clone());
     }
     Ok(Recording { commands })
 }
