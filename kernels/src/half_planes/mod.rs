@@ -27,7 +27,7 @@ pub const KERNEL: Kernel = Kernel {
 /// Workgroups times triangles of one recording.
 const PAIRS: u32 = 1 << 14;
 
-/// Triangles of one launch: each takes at most 25 turns of an invocation's loops, of which some devices end all at 65,535
+/// Triangles of one launch: each takes at most 29 turns of an invocation's loops, of which some devices end all at 65,535
 /// (docs/adding-a-kernel.md).
 const LIST: u32 = 1 << 11;
 

@@ -35,7 +35,7 @@ pub const KERNEL: Kernel = Kernel {
 /// Workgroups times list entries of one recording.
 const PAIRS: u64 = 1 << 16;
 
-/// Entries of a tile's list that one launch takes: even if every sample is in doubt an invocation's loops turn at most 34,000
+/// Entries of a tile's list that one launch takes: even if every sample is in doubt an invocation's loops turn at most 36,000
 /// times, and some devices end all at 65,535 (docs/adding-a-kernel.md).
 const LIST: u32 = 1 << 8;
 

@@ -27,7 +27,7 @@ pub const KERNEL: Kernel = Kernel {
 /// Workgroups times list entries of one recording: a second or two on the slowest software device.
 const PAIRS: u64 = 1 << 17;
 
-/// Entries of a tile's list that one launch takes: an entry takes at most 13 turns of an invocation's loops, of which some
+/// Entries of a tile's list that one launch takes: an entry takes at most 15 turns of an invocation's loops, of which some
 /// devices end all at 65,535 (docs/adding-a-kernel.md).
 const LIST: u32 = 1 << 12;
 
