@@ -1,10 +1,11 @@
 //! Every subject under criterion, in one process, on the interpreter and on every adapter: ids `kernel/case/backend`.
 //!
 //! `cargo bench -p sightlines-benches` takes criterion's own options; `cargo xtask bench` makes the numbers that are
-//! compared. Run as a test, each subject runs once and its outputs are compared between machines; where an adapter that
-//! `SIGHTLINES_REQUIRE` names (a comma-separated list) is missing, that is a failure.
+//! compared. Run as a test, the first case of each kernel and every micro-kernel run once, and their outputs are compared
+//! between machines (conformance does it for every case); where an adapter that `SIGHTLINES_REQUIRE` names (a
+//! comma-separated list) is missing, that is a failure.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::io::{self, Write};
 use std::process::ExitCode;
 
@@ -12,6 +13,7 @@ use criterion::Criterion;
 use sightlines_backend::Backend;
 use sightlines_benches::engine::{INSTALL_LAVAPIPE, adapters_here, choose, interpreters, require};
 use sightlines_benches::measure::benchmark;
+use sightlines_benches::subject::MICRO;
 use sightlines_benches::{Engine, Error, Prepared, Result, Subject, Threads, subjects};
 
 fn main() -> ExitCode {
@@ -38,7 +40,7 @@ fn all(criterion: &mut Criterion) -> Result<()> {
     let mut digests = HashMap::new();
     for engine in engines {
         let backend = engine.open(Threads::All)?;
-        for subject in subjects() {
+        for subject in chosen() {
             let digest = measure(criterion, &subject, &engine, backend.as_ref())?;
             let first = *digests.entry(subject.to_string()).or_insert(digest);
             if subject.is_portable() && first != digest {
@@ -47,6 +49,17 @@ fn all(criterion: &mut Criterion) -> Result<()> {
         }
     }
     Ok(())
+}
+
+/// Every subject, or, where criterion tests (cargo gives `--bench` to measure), those of a test.
+fn chosen() -> Vec<Subject> {
+    let given = |flag: &str| std::env::args().any(|argument| argument == flag);
+    let mut subjects = subjects();
+    if given("--test") || !given("--bench") {
+        let mut met = HashSet::new();
+        subjects.retain(|subject| subject.kernel == MICRO || met.insert(subject.kernel));
+    }
+    subjects
 }
 
 fn measure(criterion: &mut Criterion, subject: &Subject, engine: &Engine, backend: &dyn Backend) -> Result<u64> {
