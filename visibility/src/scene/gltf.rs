@@ -1,18 +1,19 @@
-//! glTF 2.0 through the `gltf` crate: nodes with their transforms, and every use of a mesh as a part of its own.
+//! glTF 2.0 through the `gltf` crate: nodes with their transforms, every mesh once, every use of one as an instance, and
+//! cameras.
 //!
 //! The hierarchy must be a forest, as the format says: a node that is reached twice is refused, which ends cycles and
 //! keeps shared subtrees from growing without bound. Skins and morph targets are left in their bind pose.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
 use gltf::json::validation::Error as Reason;
 use gltf::mesh::Mode;
 use gltf::{Document, Node, Primitive, Semantic};
 
-use super::{MAX_TRIANGLES, MAX_VERTICES, Mesh, Scene, limit, load};
+use super::{Affine, Camera, Instance, Lens, MAX_TRIANGLES, MAX_VERTICES, Mesh, World, limit, load};
 use crate::error::{Place, Result};
-use crate::vector::{Vector, add, scale};
+use crate::vector::{add, cross, length, scale};
 
 mod accessor;
 
@@ -23,14 +24,17 @@ const REMEDY: &str = "export the scene again";
 /// Extensions that change shapes in ways which are not read.
 const UNREADABLE: [&str; 3] = ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "EXT_mesh_gpu_instancing"];
 
-pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Scene> {
+pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<World> {
     let (document, blob) = parse(path, bytes)?;
     let buffers = Buffers::load(path, &document, blob)?;
-    let mut walk = Walk { path, buffers, seen: HashSet::new(), parts: Vec::new(), vertices: 0, triangles: 0 };
+    let (meshes, instances, cameras) = (Vec::new(), Vec::new(), Vec::new());
+    let world = World { name: load::name(path), units: "metres", meshes, instances, cameras };
+    let mut walk =
+        Walk { path, buffers, seen: HashSet::new(), known: HashMap::new(), world, vertices: 0, triangles: 0 };
     for root in roots(&document) {
         walk.tree(root)?;
     }
-    Ok(Scene { name: load::name(path), units: "metres", parts: walk.parts })
+    Ok(walk.world)
 }
 
 /// The document, checked. Extensions of materials and the like may be required or not: they do not change a shape.
@@ -93,7 +97,9 @@ struct Walk<'a> {
     path: &'a Path,
     buffers: Buffers<'a>,
     seen: HashSet<usize>,
-    parts: Vec<Mesh>,
+    /// Where the meshes of the file are in the world.
+    known: HashMap<usize, usize>,
+    world: World,
     vertices: usize,
     triangles: usize,
 }
@@ -108,15 +114,20 @@ impl Walk<'_> {
                 let what = "the node is reached twice: the hierarchy has a cycle, or two parents share a child";
                 return Err(place.error(what, "give every node one parent"));
             }
-            let place_of = parent.then(&Affine::of(&node));
+            let place_of = parent.then(&affine(&node));
             if let Some(mesh) = node.mesh() {
                 let name = node.name().or(mesh.name()).unwrap_or_default().to_owned();
-                let part = self.part(name, &mesh, &place_of)?;
+                let mesh = self.mesh(&mesh)?;
+                let part = &self.world.meshes[mesh];
                 self.vertices += part.vertices.len();
                 self.triangles += part.triangles.len();
                 limit(place.clone(), "vertices", self.vertices, MAX_VERTICES)?;
-                limit(place, "triangles", self.triangles, MAX_TRIANGLES)?;
-                self.parts.push(part);
+                limit(place.clone(), "triangles", self.triangles, MAX_TRIANGLES)?;
+                self.world.instances.push(Instance { name, mesh, transform: place_of });
+            }
+            if let Some(camera) = node.camera() {
+                let name = node.name().or(camera.name()).unwrap_or_default().to_owned();
+                self.world.cameras.push(camera_at(name, &camera, &place_of, place)?);
             }
             let children: Vec<Node<'_>> = node.children().collect();
             stack.extend(children.into_iter().rev().map(|child| (child, place_of)));
@@ -124,9 +135,20 @@ impl Walk<'_> {
         Ok(())
     }
 
-    /// One use of a mesh, in the coordinates of the scene.
-    fn part(&self, name: String, mesh: &gltf::Mesh<'_>, transform: &Affine) -> Result<Mesh> {
-        let mut part = Mesh { name, ..Mesh::default() };
+    /// A mesh's place in the world, where it is put when it is first met.
+    fn mesh(&mut self, mesh: &gltf::Mesh<'_>) -> Result<usize> {
+        if let Some(known) = self.known.get(&mesh.index()) {
+            return Ok(*known);
+        }
+        let read = self.read_mesh(mesh)?;
+        self.world.meshes.push(read);
+        let place = self.world.meshes.len() - 1;
+        self.known.insert(mesh.index(), place);
+        Ok(place)
+    }
+
+    fn read_mesh(&self, mesh: &gltf::Mesh<'_>) -> Result<Mesh> {
+        let mut part = Mesh { name: mesh.name().unwrap_or_default().to_owned(), ..Mesh::default() };
         for primitive in mesh.primitives() {
             let Some(positions) = primitive.get(&Semantic::Positions) else { continue };
             let first = part.vertices.len() as u32;
@@ -140,7 +162,7 @@ impl Walk<'_> {
                 }
                 part.triangles.push(triangle.map(|i| first + i));
             }
-            part.vertices.extend(points.into_iter().map(|p| transform.apply(p)));
+            part.vertices.extend(points);
         }
         Ok(part)
     }
@@ -170,40 +192,33 @@ fn fan(corners: &[u32]) -> Vec<[u32; 3]> {
     corners.get(1..).unwrap_or_default().windows(2).map(|w| [corners[0], w[0], w[1]]).collect()
 }
 
-/// An affine map: the images of the three axes, and of the origin.
-#[derive(Clone, Copy)]
-struct Affine([Vector; 4]);
-
-impl Affine {
-    const IDENTITY: Affine = Affine([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0; 3]]);
-
-    fn of(node: &Node<'_>) -> Self {
-        match node.transform() {
-            gltf::scene::Transform::Matrix { matrix } => Affine(matrix.map(|[x, y, z, _]| [x, y, z].map(f64::from))),
-            gltf::scene::Transform::Decomposed { translation, rotation, scale: s } => {
-                let [x, y, z, w] = rotation.map(f64::from);
-                let axes = [
-                    [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + z * w), 2.0 * (x * z - y * w)],
-                    [2.0 * (x * y - z * w), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + x * w)],
-                    [2.0 * (x * z + y * w), 2.0 * (y * z - x * w), 1.0 - 2.0 * (x * x + y * y)],
-                ];
-                let axis = |i: usize| scale(axes[i], s[i].into());
-                Affine([axis(0), axis(1), axis(2), translation.map(f64::from)])
-            }
+/// The transform of a node.
+fn affine(node: &Node<'_>) -> Affine {
+    match node.transform() {
+        gltf::scene::Transform::Matrix { matrix } => Affine(matrix.map(|[x, y, z, _]| [x, y, z].map(f64::from))),
+        gltf::scene::Transform::Decomposed { translation, rotation, scale } => {
+            Affine::decomposed(translation.map(f64::from), rotation.map(f64::from), scale.map(f64::from))
         }
     }
+}
 
-    fn linear(&self, [x, y, z]: Vector) -> Vector {
-        add(add(scale(self.0[0], x), scale(self.0[1], y)), scale(self.0[2], z))
+/// A camera looks along the negative z axis of its node, with y up.
+fn camera_at(name: String, camera: &gltf::Camera<'_>, node: &Affine, place: Place) -> Result<Camera> {
+    let [_, up, back, eye] = node.0;
+    let lens = match camera.projection() {
+        gltf::camera::Projection::Perspective(lens) => {
+            Lens::Perspective { slope: libm::tan(f64::from(lens.yfov()) / 2.0), near: Some(f64::from(lens.znear())) }
+        }
+        gltf::camera::Projection::Orthographic(lens) => Lens::Orthographic { height: 2.0 * f64::from(lens.ymag()) },
+    };
+    let size = match lens {
+        Lens::Perspective { slope, near } => slope.min(near.unwrap_or(1.0)),
+        Lens::Orthographic { height } => height,
+    };
+    let turned = cross(up, back).iter().all(|c| c.is_finite()) && length(cross(up, back)) > 0.0;
+    if !(size > 0.0 && size.is_finite() && turned) {
+        let what = format!("camera {} has a lens or a transform without extent", camera.index());
+        return Err(place.error(what, REMEDY));
     }
-
-    fn apply(&self, point: Vector) -> Vector {
-        add(self.linear(point), self.0[3])
-    }
-
-    /// `inner` first, then this.
-    fn then(&self, inner: &Affine) -> Affine {
-        let [a, b, c, origin] = inner.0;
-        Affine([self.linear(a), self.linear(b), self.linear(c), self.apply(origin)])
-    }
+    Camera::look_at(name, eye, add(eye, scale(back, -1.0)), up, lens)
 }

@@ -6,7 +6,7 @@ use std::ffi::OsStr;
 use std::fs;
 use std::path::Path;
 
-use super::{MAX_FILE_BYTES, Scene, gltf, obj, ply};
+use super::{MAX_FILE_BYTES, Scene, World, gltf, obj, ply};
 use crate::error::{Error, Place, Result};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,10 +28,25 @@ pub fn load(path: &Path) -> Result<Scene> {
     let bytes = read(path)?;
     let scene = match format(path, &bytes)? {
         Format::Obj => obj::read(path, &bytes)?,
-        Format::Gltf => gltf::read(path, &bytes)?,
+        Format::Gltf => gltf::read(path, &bytes)?.flatten(),
         Format::Ply => ply::read(path, &bytes)?,
     };
     scene.check(path)
+}
+
+/// Reads what [`load`] reads, with every mesh once, glTF nodes as its instances, and the cameras of glTF.
+///
+/// # Errors
+///
+/// Those of [`load`].
+pub fn load_world(path: &Path) -> Result<World> {
+    let bytes = read(path)?;
+    let world = match format(path, &bytes)? {
+        Format::Obj => World::of(obj::read(path, &bytes)?),
+        Format::Gltf => gltf::read(path, &bytes)?,
+        Format::Ply => World::of(ply::read(path, &bytes)?),
+    };
+    world.check(path)
 }
 
 /// A file's bytes, if there are not too many.

@@ -4,12 +4,16 @@
 //! every coordinate is finite and within [`MAX_COORDINATE`], and its vertices do not all coincide or all but.
 //! Degenerate triangles are kept, for they hide nothing and cost little, and counted, for they hint at a broken export.
 
+mod affine;
+pub mod camera;
+pub mod frame;
 mod generate;
 mod gltf;
 mod load;
 mod obj;
 mod ply;
 mod polygon;
+mod world;
 
 use std::fmt;
 use std::path::Path;
@@ -17,8 +21,11 @@ use std::path::Path;
 use crate::error::{Place, Result};
 use crate::vector::{self, Vector, add, cross, scale, sub};
 
+pub use affine::Affine;
+pub use camera::{Camera, Lens};
 pub use generate::{Generator, bumpy_sphere, generate};
-pub use load::load;
+pub use load::{load, load_world};
+pub use world::{Instance, World};
 
 /// Largest file that is read, in bytes.
 pub const MAX_FILE_BYTES: u64 = 2 << 30;

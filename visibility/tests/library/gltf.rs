@@ -2,7 +2,7 @@
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
-use sightlines_visibility::scene::{Scene, load};
+use sightlines_visibility::scene::{Lens, Scene, load, load_world};
 
 use super::{Folder, load_bytes, refusal};
 
@@ -77,6 +77,36 @@ fn instances_and_nested_transforms() {
             assert!((found[axis] - expected[axis]).abs() < 1e-6, "{found:?} {expected:?}");
         }
     }
+}
+
+#[test]
+fn a_mesh_is_kept_once_and_cameras_stand_where_their_nodes_do() {
+    let nodes = r#""nodes": [
+        {"children": [1, 2], "translation": [10, 0, 0]},
+        {"mesh": 0, "scale": [2, 1, 1]},
+        {"name": "side", "camera": 0, "rotation": [0, 0.7071067811865476, 0, 0.7071067811865476]},
+        {"name": "leaf", "mesh": 0, "translation": [0, 5, 0]},
+        {"camera": 1, "translation": [0, 0, 7]}],
+        "cameras": [{"type": "perspective", "perspective": {"yfov": 1.5707963267948966, "znear": 0.25}},
+                    {"name": "map", "type": "orthographic", "orthographic": {"xmag": 9, "ymag": 4, "znear": 1, "zfar": 9}}],"#;
+    let text = TRIANGLE
+        .replace(r#""nodes": [{"name": "leaf", "mesh": 0}],"#, nodes)
+        .replace(r#""scenes": [{"nodes": [0]}]"#, r#""scenes": [{"nodes": [0, 3, 4]}]"#);
+    let folder = Folder::new();
+    let path = folder.put("a.gltf", embedded(&text, &points()));
+    let world = load_world(&path).unwrap();
+    assert_eq!((world.meshes.len(), world.triangle_count(), &*world.meshes[0].name), (1, 2, "blade"));
+    assert_eq!(world.instances.iter().map(|i| (&*i.name, i.mesh)).collect::<Vec<_>>(), [("blade", 0), ("leaf", 0)]);
+    assert_eq!(world.flatten(), load(&path).unwrap());
+    let [side, map] = &world.cameras[..] else { panic!("{:?}", world.cameras) };
+    assert_eq!((&*side.name, &*map.name), ("side", "map"));
+    assert!((side.forward[0] + 1.0).abs() < 1e-6 && side.eye == [10.0, 0.0, 0.0], "{side:?}");
+    let Lens::Perspective { slope, near } = side.lens else { panic!("{:?}", side.lens) };
+    assert!((slope - 1.0).abs() < 1e-6 && near == Some(0.25));
+    assert_eq!((map.lens, map.eye, map.up), (Lens::Orthographic { height: 8.0 }, [0.0, 0.0, 7.0], [0.0, 1.0, 0.0]));
+    let flat = text.replace("\"yfov\": 1.5707963267948966", "\"yfov\": 0.0");
+    let path = folder.put("a.gltf", embedded(&flat, &points()));
+    assert!(refusal(load_world(&path), "a.gltf").contains("node 2: camera 0 has a lens or a transform without extent"));
 }
 
 #[test]
