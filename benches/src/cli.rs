@@ -111,6 +111,12 @@ pub enum Work {
         /// Bake little: for a look, not for numbers that are kept.
         #[arg(long)]
         quick: bool,
+        /// Runs after the warm-up; with 0 the first run counts [default: 3; 1 with --quick].
+        #[arg(long, value_name = "N")]
+        runs: Option<u8>,
+        /// Trace the same rays with Embree, which is built on demand, and compare answers and times.
+        #[arg(long)]
+        embree: bool,
         /// Folder of the results [default: target/bench of the workspace].
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
@@ -120,6 +126,9 @@ pub enum Work {
     Shadow {
         /// The case, as JSON.
         case: String,
+        /// Embree's program.
+        #[arg(long)]
+        tracer: Option<PathBuf>,
     },
     /// Serve measurements over standard input and output.
     #[command(hide = true)]
@@ -159,7 +168,10 @@ mod tests {
         for bad in ["(", "--rounds 0", "--threads 7", "--simd mmx", "--baseline ../x", "a b"] {
             assert!(parse(bad).is_err(), "{bad}");
         }
-        assert!(matches!(parse("shadows palms --quick").unwrap().command, Some(Work::Shadows { quick: true, .. })));
+        assert!(matches!(
+            parse("shadows palms --quick --embree --runs 0").unwrap().command,
+            Some(Work::Shadows { quick: true, embree: true, runs: Some(0), .. })
+        ));
         assert!(matches!(parse("worker").unwrap().command, Some(Work::Worker)));
     }
 }

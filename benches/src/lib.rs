@@ -28,6 +28,7 @@
 pub mod baseline;
 pub mod cli;
 pub mod clock;
+pub mod embree;
 pub mod engine;
 pub mod error;
 mod html;

@@ -25,12 +25,16 @@ fn main() -> ExitCode {
 fn start(cli: &Cli) -> Result<u8> {
     match &cli.command {
         None => run::run(&own_path()?, &cli.bench, &mut io::stdout()),
-        Some(Work::Shadows { filter, quick, out }) => {
+        Some(Work::Shadows { filter, quick, runs, embree, out }) => {
             let size = if *quick { Size::QUICK } else { Size::FULL };
-            let folder = run::folder(out.as_deref())?;
-            shadows::run(&own_path()?, &shadows::cases(size, filter.as_ref()), &folder, &mut io::stdout())
+            let size = Size { runs: runs.map_or(size.runs, usize::from), ..size };
+            let (exe, folder) = (own_path()?, run::folder(out.as_deref())?);
+            let cases = shadows::cases(size, filter.as_ref());
+            shadows::run(&exe, &cases, *embree, &folder, &mut io::stdout(), &mut io::stderr())
         }
-        Some(Work::Shadow { case }) => shadows::serve(case, &mut io::stdout()).map(|()| EXIT_OK),
+        Some(Work::Shadow { case, tracer }) => {
+            shadows::serve(case, tracer.as_deref(), &mut io::stdout()).map(|()| EXIT_OK)
+        }
         Some(Work::Worker) => worker::serve(io::stdin().lock(), io::stdout()).map(|()| EXIT_OK),
         Some(Work::Repeat { simd, subject }) => {
             instructions::repeat(simd, subject, &mut io::stdout()).map(|()| EXIT_OK)

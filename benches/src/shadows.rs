@@ -2,7 +2,7 @@
 //!
 //! Each mesh and light is a child process with one thread, so that its peak memory is its own. What is timed is a whole
 //! bake of the interpreter, by CPU time: snapping, binning and every kernel, one warm-up and then the runs. Rays are
-//! pairs of a receiver and a sample, whether or not a triangle is near them.
+//! pairs of a receiver and a sample, whether or not a triangle is near them. On request [`embree`] traces them too.
 
 use std::fs;
 use std::io::Write;
@@ -16,8 +16,10 @@ use sightlines_backend_cpu::{Config, CpuBackend};
 use sightlines_visibility::scene::{Generator, Scene, bumpy_sphere, generate};
 use sightlines_visibility::setup::{Settings, Setup};
 use sightlines_visibility::shadows::bake;
+use sightlines_visibility::shadows::snap::snap;
 
 use crate::clock::Clock;
+use crate::embree::{self, Traced};
 use crate::engine::Threads;
 use crate::error::{EXIT_FAILED, EXIT_OK, Error, Result};
 use crate::report::write_whole;
@@ -29,6 +31,9 @@ pub const LIGHTS: [f64; 3] = [0.1, 0.4, 1.0];
 
 /// Triangles of the bumpy spheres.
 const SPHERES: [usize; 4] = [12_000, 70_000, 200_000, 870_000];
+
+/// Cells of the grid within which a ray passes an edge where Embree's rounding may decide.
+const AT_AN_EDGE: f64 = 0.5;
 
 /// How much is baked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -83,6 +88,20 @@ pub struct Baked {
     pub hidden: f64,
     /// The process' greatest resident memory in bytes, where the system tells.
     pub peak_bytes: Option<u64>,
+    /// The same rays by Embree, if asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub embree: Option<Traced>,
+}
+
+impl Baked {
+    /// Our time over Embree's packets, its structure built beforehand; below 1 we are ahead.
+    pub fn ratio(&self) -> Option<f64> {
+        self.embree.as_ref().map(|traced| self.median_ns / traced.trace_ns)
+    }
+
+    fn name(&self) -> String {
+        format!("{}/{}", self.case.mesh, self.case.light)
+    }
 }
 
 /// All cases, meshes by size.
@@ -101,15 +120,15 @@ fn scene(mesh: &str) -> Result<Scene> {
     triangles.map(bumpy_sphere).ok_or_else(|| Error::Usage(format!("no mesh is called `{mesh}`")))
 }
 
-/// The child: bakes a case and writes what it took.
-pub fn serve(case: &str, out: &mut impl Write) -> Result<()> {
+/// The child: bakes a case and writes what it took. `tracer` is Embree's program; its files go beside it.
+pub fn serve(case: &str, tracer: Option<&Path>, out: &mut impl Write) -> Result<()> {
     let case: Case = serde_json::from_str(case).map_err(|e| Error::Worker(format!("not a case: {e}")))?;
-    let baked = measure(case)?;
+    let baked = measure(case, tracer)?;
     let line = serde_json::to_string(&baked).map_err(|e| Error::Worker(e.to_string()))?;
     Ok(writeln!(out, "{line}")?)
 }
 
-fn measure(case: Case) -> Result<Baked> {
+fn measure(case: Case, tracer: Option<&Path>) -> Result<Baked> {
     let scene = scene(&case.mesh)?;
     let Size { resolution, samples, runs } = case.size;
     let settings = Settings {
@@ -127,8 +146,16 @@ fn measure(case: Case) -> Result<Baked> {
         let bake = bake(&backend, &request, &mut |_| ()).map_err(failed)?;
         Ok((clock.to_f64(&clock.end(start)), bake))
     };
-    let (_, first) = run()?;
-    let runs_ns = (0..runs).map(|_| run().map(|(ns, _)| ns)).collect::<Result<Vec<f64>>>()?;
+    let (warm_up, first) = run()?;
+    let mut runs_ns = (0..runs).map(|_| run().map(|(ns, _)| ns)).collect::<Result<Vec<f64>>>()?;
+    if runs == 0 {
+        runs_ns.push(warm_up);
+    }
+    let peak_bytes = peak_bytes();
+    let trace = |tracer: &Path| {
+        let folder = tracer.parent().unwrap_or(Path::new("."));
+        embree::trace(tracer, folder, &snap(&request).map_err(failed)?, &first, runs)
+    };
     let median_ns = median(&runs_ns).ok_or_else(|| Error::Measurement("no run".to_owned()))?;
     let rays = f64::from(resolution) * f64::from(resolution) * f64::from(samples);
     let visible: f64 = first.visible.iter().map(|seen| f64::from(*seen)).sum();
@@ -139,7 +166,8 @@ fn measure(case: Case) -> Result<Baked> {
         ns_per_lane_op: first.work.lane_ops.filter(|ops| *ops > 0).map(|ops| median_ns / ops as f64),
         rays_per_second: rays / (median_ns / 1e9),
         hidden: 1.0 - visible / rays,
-        peak_bytes: peak_bytes(),
+        peak_bytes,
+        embree: tracer.map(trace).transpose()?,
         median_ns,
         runs_ns,
         case,
@@ -153,22 +181,42 @@ fn peak_bytes() -> Option<u64> {
     line.trim().strip_suffix(" kB")?.trim().parse().ok().map(|kib: u64| kib * 1024)
 }
 
-/// Runs the cases in child processes of `exe`, prints the table to `out` and writes `shadows.json` into the folder.
-/// The answer is the exit code.
-pub fn run(exe: &Path, cases: &[Case], folder: &Path, out: &mut impl Write) -> Result<u8> {
+/// Runs the cases in child processes of `exe`, tells each to `progress` as it ends, prints the table to `out` and writes
+/// `shadows.json` into the folder. The answer is the exit code.
+pub fn run(
+    exe: &Path,
+    cases: &[Case],
+    with_embree: bool,
+    folder: &Path,
+    out: &mut impl Write,
+    progress: &mut impl Write,
+) -> Result<u8> {
     if cases.is_empty() {
         return Err(Error::Usage(
             "no shadow matches; a mesh and a light read `palms/0.4` or `bumpy-12000/1`".to_owned(),
         ));
     }
+    let tracer = if with_embree { Some(embree::build(folder)?) } else { None };
     let (mut all, mut failures) = (Vec::new(), Vec::new());
-    for case in cases {
-        match child(exe, case) {
-            Ok(baked) => all.push(baked),
-            Err(error) => failures.push(error.to_string()),
-        }
+    for (index, case) in cases.iter().enumerate() {
+        let word = match child(exe, case, tracer.as_deref()) {
+            Ok(baked) => {
+                let word = format!("{:.2} s", baked.median_ns / 1e9);
+                all.push(baked);
+                word
+            }
+            Err(error) => {
+                failures.push(error.to_string());
+                "failed".to_owned()
+            }
+        };
+        writeln!(progress, "[{}/{}] {}/{}: {word}", index + 1, cases.len(), case.mesh, case.light)?;
     }
     out.write_all(table(&all).as_bytes())?;
+    if with_embree {
+        out.write_all(embree_table(&all).as_bytes())?;
+        failures.extend(all.iter().filter_map(unequal));
+    }
     let path = folder.join("shadows.json");
     let mut text = serde_json::to_string_pretty(&all).map_err(|e| Error::file(&path, e.into()))?;
     text.push('\n');
@@ -180,10 +228,19 @@ pub fn run(exe: &Path, cases: &[Case], folder: &Path, out: &mut impl Write) -> R
     Ok(if failures.is_empty() { EXIT_OK } else { EXIT_FAILED })
 }
 
-fn child(exe: &Path, case: &Case) -> Result<Baked> {
+/// A differing ray that the definition answers against us, or that is not at an edge.
+fn unequal(baked: &Baked) -> Option<String> {
+    let differing = &baked.embree.as_ref()?.differing;
+    let explained = differing.ours_right == differing.judged && differing.farthest_cells <= AT_AN_EDGE;
+    (!explained).then(|| format!("{}: Embree's answers differ beyond the edges: {differing:?}", baked.name()))
+}
+
+fn child(exe: &Path, case: &Case, tracer: Option<&Path>) -> Result<Baked> {
     let name = format!("{}/{}", case.mesh, case.light);
     let text = serde_json::to_string(case).map_err(|e| Error::Worker(e.to_string()))?;
-    let output = Command::new(exe).args(["shadow", &text]).stdin(Stdio::null()).output();
+    let mut command = Command::new(exe);
+    command.args(["shadow", &text]).args(tracer.map(|tracer| [Path::new("--tracer"), tracer]).into_iter().flatten());
+    let output = command.stdin(Stdio::null()).output();
     let output = output.map_err(|e| Error::Worker(format!("{}: {e}", exe.display())))?;
     if !output.status.success() {
         let words = String::from_utf8_lossy(&output.stderr);
@@ -215,6 +272,29 @@ fn table(all: &[Baked]) -> String {
     text
 }
 
+fn embree_table(all: &[Baked]) -> String {
+    let head =
+        ["mesh", "light", "build s", "trace s", "robust s", "Mrays", "differing", "share", "cells", "ours/trace"];
+    let mut lines = vec![head.map(str::to_owned).to_vec()];
+    for (baked, traced) in all.iter().filter_map(|baked| Some((baked, baked.embree.as_ref()?))) {
+        lines.push(vec![
+            baked.case.mesh.clone(),
+            baked.case.light.to_string(),
+            cell(Some(traced.build_ns / 1e9), 3),
+            cell(Some(traced.trace_ns / 1e9), 2),
+            cell(Some(traced.robust_ns / 1e9), 2),
+            cell(Some(traced.rays as f64 / 1e6), 1),
+            traced.differing.rays.to_string(),
+            format!("{:.1e}", traced.differing.share),
+            cell(Some(traced.differing.farthest_cells), 4),
+            cell(baked.ratio(), 2),
+        ]);
+    }
+    let mut text = "\nEmbree, packets of 16 rays, receivers in the shadow's box\n".to_owned();
+    Columns { left: 1, lines }.render(&mut text);
+    text
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -231,13 +311,13 @@ mod tests {
         let size = Size { resolution: 32, samples: 32, runs: 2 };
         let case = Case { mesh: "bumpy-1000".to_owned(), light: 0.4, size };
         let mut out = Vec::new();
-        serve(&serde_json::to_string(&case).unwrap(), &mut out).unwrap();
+        serve(&serde_json::to_string(&case).unwrap(), None, &mut out).unwrap();
         let baked: Baked = serde_json::from_slice(&out).unwrap();
         assert_eq!((baked.case.clone(), baked.runs_ns.len()), (case, 2));
         assert!(baked.pairs > 0 && baked.lane_ops > Some(0) && baked.rays_per_second > 0.0);
         assert!(baked.hidden > 0.0 && baked.hidden < 1.0, "{}", baked.hidden);
         assert!(table(&[baked]).contains("bumpy-1000"));
-        assert!(serve("{}", &mut Vec::new()).is_err());
+        assert!(serve("{}", None, &mut Vec::new()).is_err());
         assert!(matches!(scene("moon"), Err(Error::Usage(_))));
     }
 }

@@ -19,7 +19,7 @@ Commands:
   test [--require NAME]… [-- ARGS]  all tests of the workspace, conformance included; fails where NAME
                                   (`wgpu` or an adapter) is missing; ARGS go to `cargo test`
   bench [FILTER] [OPTIONS]        measure the interpreter against lavapipe and other adapters on every kernel
-  bench shadows [FILTER]          measure soft shadows of generated meshes
+  bench shadows [FILTER] [--embree]  measure soft shadows of generated meshes, and Embree beside us
   kernels list                    the kernels of the registry
   kernels show NAME [--emit wgsl|ir|code]
                                   one kernel as linked WGSL, naga IR or the interpreter's code
