@@ -14,10 +14,12 @@ use sightlines_backend::{Define, Kernel, Program, Result};
 
 pub mod backprojection;
 pub mod exact;
+pub mod field;
 pub mod grid;
 pub mod half_planes;
 pub mod illumination;
 pub mod influence_region;
+pub mod irradiance;
 pub mod item_histogram;
 pub mod light_sphere;
 pub mod line_mask;
@@ -70,6 +72,7 @@ package! {
         half_planes,
         illumination,
         influence_region,
+        irradiance,
         item_histogram,
         light_sphere,
         line_mask,

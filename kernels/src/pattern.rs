@@ -101,7 +101,7 @@ impl Pattern {
     }
 
     /// Least and greatest coordinates.
-    fn bounds(&self) -> [[i32; 2]; 2] {
+    pub fn bounds(&self) -> [[i32; 2]; 2] {
         let fold = |f: fn(i32, i32) -> i32| {
             self.points.iter().copied().reduce(|a, b| [f(a[0], b[0]), f(a[1], b[1])]).expect("a pattern has a sample")
         };

@@ -5,11 +5,13 @@ use std::sync::Arc;
 
 use sightlines_backend::{Backend, Define, ErrorKind, Job, Program};
 use sightlines_backend_cpu::{Bounds, Config, CpuBackend};
+use sightlines_kernels::field::{Field, Receiver};
 use sightlines_kernels::grid::{Receivers, Samples, Triangle};
 use sightlines_kernels::half_planes::HalfPlanes;
 use sightlines_kernels::influence_region::oracle::region;
 use sightlines_kernels::line_mask::{LineMask, Resolution, Space, TILE, oracle, record_differ, record_masks};
 use sightlines_kernels::pattern::Pattern;
+use sightlines_kernels::random;
 use sightlines_kernels::row_span::{RowSpan, Scene, is_between, tile_width};
 use sightlines_kernels::source;
 use sightlines_kernels::tiles::Tiles;
@@ -17,6 +19,10 @@ use sightlines_kernels::triangles::{Family, contacts, corners, crossing, levels}
 
 const RECEIVERS: Receivers =
     Receivers { origin: [-1500, -1100], step: [97, 61], height: 20_000, columns: 33, rows: 19 };
+
+fn field() -> Field {
+    Field::from(&RECEIVERS)
+}
 
 fn light(columns: u32, rows: u32) -> Samples {
     Samples { origin: [-1000, -900], step: [63, 58], columns, rows }
@@ -64,7 +70,7 @@ fn a_regular_light_has_the_masks_of_row_spans_and_half_planes() {
         let lists = tiles(TILE, &samples, &triangles);
         let by_table = scene(&mut job, &lists, &triangles, samples.words());
         let table = kernel.record_table(&mut job);
-        kernel.record(&mut job, &RECEIVERS, &lists, table, by_table).expect("it fits");
+        kernel.record(&mut job, &field(), &lists, table, by_table).expect("it fits");
 
         let lists = tiles([tile_width(&samples), 4], &samples, &triangles);
         let by_rows = scene(&mut job, &lists, &triangles, samples.words());
@@ -93,7 +99,7 @@ fn triangles_through_both_planes_have_the_masks_of_half_planes() {
     let by_table = scene(&mut job, &lists, &triangles, samples.words());
     let kernel = LineMask::new(&pattern, exact(6)).expect("it compiles");
     let table = kernel.record_table(&mut job);
-    kernel.record(&mut job, &RECEIVERS, &lists, table, by_table).expect("it fits");
+    kernel.record(&mut job, &field(), &lists, table, by_table).expect("it fits");
     let by_signs = job.zeroed("hidden", by_table.hidden.len());
     let kernel = HalfPlanes::new(&samples).expect("it compiles");
     kernel.record(&mut job, &RECEIVERS, by_table.vertices, 0..80, by_signs).expect("it fits");
@@ -116,7 +122,7 @@ fn the_size_of_an_exact_table_does_not_show_and_the_papers_error_falls_with_it()
         let kernel = LineMask::new(&pattern, resolution).expect("it compiles");
         let scene = scene(job, &lists, &triangles, pattern.words());
         let table = kernel.record_table(job);
-        kernel.record(job, &RECEIVERS, &lists, table, scene).expect("it fits");
+        kernel.record(job, &field(), &lists, table, scene).expect("it fits");
         let counts = job.zeroed("counts", 2);
         record_differ(job, scene.hidden, true_map, 0, counts).expect("they fit");
         job.read("wrong bits", counts.id());
@@ -151,11 +157,11 @@ fn tables_and_tiles_that_do_not_fit_are_refused() {
     let other = other.record_table(&mut job);
     let narrow = Tiles { size: [wide - 1, high], ..lists.clone() };
     let few = Scene { hidden: job.zeroed("hidden", 7), ..scene };
-    refused("[3, 4]", kernel.record(&mut job, &RECEIVERS, &narrow, table, scene));
-    refused("7 words", kernel.record(&mut job, &RECEIVERS, &lists, table, few));
-    refused("65600 words", kernel.record(&mut job, &RECEIVERS, &lists, other, scene));
+    refused("[3, 4]", kernel.record(&mut job, &field(), &narrow, table, scene));
+    refused("7 words", kernel.record(&mut job, &field(), &lists, table, few));
+    refused("65600 words", kernel.record(&mut job, &field(), &lists, other, scene));
     refused("0 counts", record_differ(&mut job, scene.hidden, scene.hidden, 0, few.hidden.elements(0..0)));
-    kernel.record(&mut job, &RECEIVERS, &lists, table, scene).expect("these fit");
+    kernel.record(&mut job, &field(), &lists, table, scene).expect("these fit");
 }
 
 /// One edit of one text, and what it spoils.
@@ -177,6 +183,9 @@ static CANARIES: &[(&str, &str, &str)] = &[
     ("line_mask/kernel.wgsl", "dot64(n, vec3<i32>(at, 0) - a)) < 0", "dot64(n, vec3<i32>(at, 0) - a)) <= 0"),
     ("line_mask/kernel.wgsl", "min(min(a.z, b.z), c.z) <= 0", "false"),
     ("line_mask/kernel.wgsl", "if (touches & hides)", "if (false)"),
+    ("line_mask/kernel.wgsl", "((found.w << 16u) >> 16u)", "(found.w & 0xffff)"),
+    ("line_mask/kernel.wgsl", "+ (found.w >> 16u)", ""),
+    ("line_mask/kernel.wgsl", "r.at.z > 0 && ", ""),
     ("line_mask/kernel.wgsl", "return count;", "return max(count, 1u) - 1u;"),
     ("shared/backprojection.wgsl", "let turned = orientation < 0;", "let turned = false;"),
     ("shared/line_cell.wgsl", "1.00000762939453125", "0.9375"),
@@ -193,6 +202,16 @@ fn edited(of: &Program, path: &'static str, text: &str, instead: &str) -> Arc<Pr
         _ => ("line_mask/kernel.wgsl", vec![Define::new("EXACT", true)]),
     };
     Program::new(of.label(), entry, &sources, &defines).unwrap_or_else(|error| panic!("`{instead}`: {error}"))
+}
+
+/// Receivers with shifts of either sign along both axes; every seventh is none.
+fn shifted(receivers: &Receivers) -> Field {
+    let receiver = |index: u32| {
+        let [x, y, z] = receivers.at(index);
+        let by = [0, 16].map(|bits| (random::word(8, index) >> bits & 0x3ff) as i32 - 512);
+        Receiver { at: [x, y, if index.is_multiple_of(7) { 0 } else { z }], shift: by }
+    };
+    Field::new(receivers.columns, (0..receivers.count()).map(receiver).collect()).expect("on the grid")
 }
 
 /// Small scenes that together reach every decision, each tile with a triangle of its own: the job, and its masks.
@@ -221,9 +240,10 @@ fn scenes() -> Vec<(Job, Vec<u32>)> {
         triangles.resize(72, triangles[0]);
         let tiles = Tiles::solo(TILE, &receivers);
         let mut job = Job::new();
-        let hidden = record_masks(&mut job, &pattern, exact(4), &receivers, &tiles, &triangles).expect("it fits");
+        let field = if pattern.count() == 70 { shifted(&receivers) } else { Field::from(&receivers) };
+        let hidden = record_masks(&mut job, &pattern, exact(4), &field, &tiles, &triangles).expect("it fits");
         job.read("hidden", hidden.id());
-        (job, oracle::tile_sets(&pattern, &receivers, &tiles, &triangles))
+        (job, oracle::tile_sets(&pattern, &field, &tiles, &triangles))
     });
     prepared.to_vec()
 }

@@ -7,6 +7,7 @@ use proptest::prelude::*;
 use sightlines_backend::host::Buffer;
 use sightlines_backend::{Backend, Job};
 use sightlines_backend_cpu::{Bounds, Config, CpuBackend};
+use sightlines_kernels::field::Field;
 use sightlines_kernels::grid::{Lattice, Point, Receivers, Samples, Triangle, XY, Z, hidden, hidden_set, is_on_grid};
 use sightlines_kernels::half_planes::HalfPlanes;
 use sightlines_kernels::influence_region::{InfluenceRegion, TiltedRegion, oracle};
@@ -173,7 +174,7 @@ fn by_line_mask(view: &View, groups: &[&[Triangle]]) -> Vec<Vec<u32>> {
     masks(view, groups, |job, triangles, vertices, hidden| {
         let table = kernel.record_table(job);
         let (tiles, scene) = tiled(job, view, triangles, TILE, vertices, hidden);
-        kernel.record(job, receivers, &tiles, table, scene).expect("it is recorded");
+        kernel.record(job, &Field::from(receivers), &tiles, table, scene).expect("it is recorded");
     })
 }
 

@@ -5,6 +5,7 @@ use sightlines_backend::host::Buffer;
 use sightlines_backend::{Case, Expected, Job, Outputs, Result, Size};
 
 use super::{LineMask, Resolution, Space, TILE, oracle, record_differ, record_masks};
+use crate::field::{Field, Receiver};
 use crate::grid::{Receivers, Samples, Triangle, XY};
 use crate::influence_region::oracle::region;
 use crate::pattern::Pattern;
@@ -90,6 +91,9 @@ pub(super) fn all() -> Vec<Case> {
         table("paper_table_37", halton(37), sampled(6)),
         table("paper_table_992", channels(992), sampled(4)),
         paper_error(),
+        field("field_37", halton(37), exact(6)),
+        field("field_992", channels(992), exact(4)),
+        field("field_paper", halton(64), sampled(6)),
         thicket("thicket_992", channels(992)),
         thicket("thicket_64", halton(64)),
     ];
@@ -130,7 +134,8 @@ fn record(
     receivers: &Receivers,
     triangles: &[Triangle],
 ) -> Result<Buffer<[u32]>> {
-    record_masks(job, pattern, resolution, receivers, &tiles(pattern, receivers, triangles), triangles)
+    let tiles = tiles(pattern, receivers, triangles);
+    record_masks(job, pattern, resolution, &Field::from(receivers), &tiles, triangles)
 }
 
 fn masks(
@@ -156,7 +161,7 @@ fn masks(
             Space::Exact => oracle::sets(&answered, &receivers, &triangles),
             Space::Sampled => {
                 let tiles = tiles(&answered, &receivers, &triangles);
-                oracle::sampled_sets(&answered, resolution.bits, &receivers, &tiles, &triangles)
+                oracle::sampled_sets(&answered, resolution.bits, &Field::from(&receivers), &tiles, &triangles)
             }
         })]
     };
@@ -175,18 +180,55 @@ fn solo(
     let job = move || {
         let mut job = Job::new();
         let triangles = make(&pattern.enclosing(), &SOLO);
-        let hidden = record_masks(&mut job, &pattern, resolution, &SOLO, &tiles, &triangles)?;
+        let hidden = record_masks(&mut job, &pattern, resolution, &Field::from(&SOLO), &tiles, &triangles)?;
         job.read("hidden", hidden.id());
         Ok(job)
     };
     let expected = move |_: &Outputs| {
         let triangles = make(&answered.enclosing(), &SOLO);
         vec![Expected::Whole(match resolution.space {
-            Space::Exact => oracle::tile_sets(&answered, &SOLO, &lists, &triangles),
-            Space::Sampled => oracle::sampled_sets(&answered, resolution.bits, &SOLO, &lists, &triangles),
+            Space::Exact => oracle::tile_sets(&answered, &Field::from(&SOLO), &lists, &triangles),
+            Space::Sampled => oracle::sampled_sets(&answered, resolution.bits, &Field::from(&SOLO), &lists, &triangles),
         })]
     };
     Case::new(name, Size::Small, job, expected).probes((0..8).map(|tile| SOLO.columns * 2 + 4 * tile))
+}
+
+/// Receivers at heights of their own, patterns shifted by up to the light's size, holes; a triangle a tile.
+fn field(name: &str, pattern: Pattern, resolution: Resolution) -> Case {
+    let below = |bound: u32, index: u32| random::below(bound, SEED, index) as i32;
+    let receiver = move |index: u32| {
+        let [x, y, z] = SOLO.at(index);
+        let shift = [below(2000, 3 * index) - 1000, below(1800, 3 * index + 1) - 900];
+        let z = if index % 11 == 3 { 0 } else { z - below(16_000, 3 * index + 2) };
+        Receiver { at: [x, y, z], shift }
+    };
+    let field = move || fits_field(Field::new(SOLO.columns, (0..SOLO.count()).map(receiver).collect()));
+    let triangles = |pattern: &Pattern| {
+        let mut triangles = mixed_77(&pattern.enclosing(), &SOLO);
+        triangles.splice(0..20, crossing(20, &pattern.enclosing(), &SOLO));
+        triangles
+    };
+    let answered = pattern.clone();
+    let job = move || {
+        let mut job = Job::new();
+        let tiles = Tiles::solo(TILE, &SOLO);
+        let hidden = record_masks(&mut job, &pattern, resolution, &field(), &tiles, &triangles(&pattern))?;
+        job.read("hidden", hidden.id());
+        Ok(job)
+    };
+    let expected = move |_: &Outputs| {
+        let (field, tiles, triangles) = (field(), Tiles::solo(TILE, &SOLO), triangles(&answered));
+        vec![Expected::Whole(match resolution.space {
+            Space::Exact => oracle::tile_sets(&answered, &field, &tiles, &triangles),
+            Space::Sampled => oracle::sampled_sets(&answered, resolution.bits, &field, &tiles, &triangles),
+        })]
+    };
+    Case::new(name, Size::Small, job, expected).probes((0..8).map(|tile| SOLO.columns * 2 + 4 * tile))
+}
+
+fn fits_field(field: Result<Field>) -> Field {
+    field.expect("a field of the cases is on the grid")
 }
 
 /// The table itself.
@@ -241,7 +283,9 @@ fn paper_error() -> Case {
         let triangles = triangles(&pattern);
         let truth = oracle::sets(&pattern, &PENUMBRA, &triangles);
         let tiles = tiles(&pattern, &PENUMBRA, &triangles);
-        let wrong = |bits| oracle::differ(&oracle::sampled_sets(&pattern, bits, &PENUMBRA, &tiles, &triangles), &truth);
+        let wrong = |bits| {
+            oracle::differ(&oracle::sampled_sets(&pattern, bits, &Field::from(&PENUMBRA), &tiles, &triangles), &truth)
+        };
         vec![Expected::Whole(MEASURED.flat_map(wrong).collect())]
     };
     Case::new("paper_error", Size::Real, job, expected).probes(0..2 * MEASURED.count() as u32)

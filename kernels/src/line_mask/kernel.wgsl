@@ -1,4 +1,4 @@
-// Line masks: the samples of any pattern that triangles hide from receivers on a parallel plane, by a table of lines.
+// Line masks: the samples of any pattern that triangles hide from receivers anywhere, by a table of lines.
 //
 // Eisemann and Décoret, "Visibility Sampling on GPU and Applications", sections 5 and 6: each edge of the backprojection is
 // looked up in a table that holds, for lines near one another, the samples on their inner side; the AND of three masks is
@@ -18,15 +18,15 @@
 //
 // One workgroup serves WIDTH * HEIGHT receivers and takes BATCH triangles at a time: first an invocation a pair of triangle
 // and receiver finds its lines and cells, then the pairs that hide anything are listed in their order, and an invocation
-// a listed pair and word of its mask looks up. Coordinates are relative to the centre of the pattern: differences are below
-// 2^15, x and y below 2^15 in magnitude, |c| < 2^48.
+// a listed pair and word of its mask looks up. Coordinates are relative to the centre of the pattern, as it is shifted for the
+// receiver: differences are below 2^15, x and y below 2^15 in magnitude, |c| < 2^48.
 
 import package::line_mask::hough::texel;
 import package::shared::backprojection::backproject;
 import package::shared::crossing::edge_function;
 import package::shared::line::{Line, line_flip};
 import package::shared::line_cell::{CELL_ALL, CELL_NONE, line_cell_fast};
-import package::shared::view::{View, receiver_at, below};
+import package::shared::view::below;
 import package::shared::wide::{dot64, sgn64};
 
 /// Whether the table is one of certain and possible samples.
@@ -62,7 +62,9 @@ struct Params {
     empty: u32,
     /// Entries of each list that earlier launches have taken.
     skip: u32,
-    view: View,
+    /// Receivers along x and y.
+    columns: u32,
+    rows: u32,
 }
 
 @group(0) @binding(0) var<uniform> params: Params;
@@ -75,6 +77,9 @@ struct Params {
 @group(0) @binding(4) var<storage, read> samples: array<vec2<i32>>;
 @group(0) @binding(5) var<storage, read> table: array<u32>;
 @group(0) @binding(6) var<storage, read_write> hidden: array<atomic<u32>>;
+/// Where each receiver stands, and how far the pattern is shifted for it: x in the low half of w, y in the high one. A
+/// receiver with z = 0 is none.
+@group(0) @binding(7) var<storage, read> receivers: array<vec4<i32>>;
 
 /// The edges' lines, and where the table knows of them and of the triangle's own plane: the cell's first word, and bit 31
 /// where it is to be inverted. A line that covers the square is 0 u + 0 v + 0 >= 0.
@@ -98,13 +103,16 @@ fn shift() -> u32 {
     return 32u - countLeadingZeros(params.words - 1u);
 }
 
-fn centred(p: vec3<i32>) -> vec3<i32> {
-    return p - vec3<i32>(params.centre_x, params.centre_y, 0);
+/// A receiver about the centre of its pattern, which is on the grid.
+struct Receiver {
+    at: vec3<i32>,
+    centre: vec3<i32>,
 }
 
-fn vertex(triangle: u32, corner: u32) -> vec3<i32> {
+/// A vertex about a centre.
+fn vertex(triangle: u32, corner: u32, centre: vec3<i32>) -> vec3<i32> {
     let at = 9u * triangle + 3u * corner;
-    return centred(vec3<i32>(vertices[at], vertices[at + 1u], vertices[at + 2u]));
+    return vec3<i32>(vertices[at], vertices[at + 1u], vertices[at + 2u]) - centre;
 }
 
 /// Masks of a cell.
@@ -129,11 +137,11 @@ fn relevant(ln: Line, cell: u32) -> Line {
 }
 
 /// Finds lines and cells of a pair; whether it may hide anything.
-fn prepare(pair: u32, triangle: u32, r: vec3<i32>) -> bool {
-    let a = vertex(triangle, 0u);
-    let b = vertex(triangle, 1u);
-    let c = vertex(triangle, 2u);
-    let found = backproject(r, a, b, c);
+fn prepare(pair: u32, triangle: u32, r: Receiver) -> bool {
+    let a = vertex(triangle, 0u, r.centre);
+    let b = vertex(triangle, 1u, r.centre);
+    let c = vertex(triangle, 2u, r.centre);
+    let found = backproject(r.at, a, b, c);
     let x = cell_of(found.first);
     let y = cell_of(found.second);
     let z = cell_of(found.third);
@@ -173,10 +181,10 @@ fn inside(ln: Line, u: i32, v: i32) -> bool {
 }
 
 /// Whether a sample is strictly on the other side of a triangle's plane than r.
-fn beyond(triangle: u32, r: vec3<i32>, at: vec2<i32>) -> bool {
-    let a = vertex(triangle, 0u);
-    let n = edge_function(a, vertex(triangle, 1u), vertex(triangle, 2u));
-    return sgn64(dot64(n, r - a)) * sgn64(dot64(n, vec3<i32>(at, 0) - a)) < 0;
+fn beyond(triangle: u32, r: Receiver, at: vec2<i32>) -> bool {
+    let a = vertex(triangle, 0u, r.centre);
+    let n = edge_function(a, vertex(triangle, 1u, r.centre), vertex(triangle, 2u, r.centre));
+    return sgn64(dot64(n, r.at - a)) * sgn64(dot64(n, vec3<i32>(at, 0) - a)) < 0;
 }
 
 /// The samples of a word that the triangle of a pair, in the list from `start` on, hides from its receiver.
@@ -212,12 +220,14 @@ fn place(group: vec2<u32>, i: u32) -> vec2<u32> {
 }
 
 fn is_there(at: vec2<u32>) -> bool {
-    return (at.x < params.view.columns) & (at.y < params.view.rows);
+    return (at.x < params.columns) & (at.y < params.rows);
 }
 
-fn receiver(group: vec2<u32>, i: u32) -> vec3<i32> {
+fn receiver(group: vec2<u32>, i: u32) -> Receiver {
     let at = place(group, i);
-    return centred(receiver_at(params.view, at.x, at.y));
+    let found = receivers[at.y * params.columns + at.x];
+    let centre = vec3<i32>(params.centre_x + ((found.w << 16u) >> 16u), params.centre_y + (found.w >> 16u), 0);
+    return Receiver(found.xyz - centre, centre);
 }
 
 /// The pairs that are alive, with number below `lane`: all of them for 128.
@@ -244,7 +254,8 @@ fn line_mask(@builtin(workgroup_id) id: vec3<u32>, @builtin(local_invocation_ind
         workgroupBarrier();
         let slot = lane / COUNT;
         if ((slot < end - start) & is_there(place(group, lane % COUNT))) {
-            if (prepare(lane, entries[start + slot], receiver(group, lane % COUNT))) {
+            let r = receiver(group, lane % COUNT);
+            if (r.at.z > 0 && prepare(lane, entries[start + slot], r)) {
                 atomicOr(&alive[lane / 32u], 1u << (lane % 32u));
             }
         }
@@ -271,7 +282,7 @@ fn line_mask(@builtin(workgroup_id) id: vec3<u32>, @builtin(local_invocation_ind
         let word = item & ((1u << shift()) - 1u);
         let mask = atomicLoad(&masks[item]);
         if (is_there(at) & (mask != 0u)) {
-            atomicOr(&hidden[(word * params.view.rows + at.y) * params.view.columns + at.x], mask);
+            atomicOr(&hidden[(word * params.rows + at.y) * params.columns + at.x], mask);
         }
     }
 }

@@ -11,7 +11,8 @@ use glam::{IVec2, IVec4};
 use sightlines_backend::host::{Bindings, Buffer};
 use sightlines_backend::{Define, Error, Job, Kernel, Program, Result, bindings, host};
 
-use crate::grid::{Receivers, Triangle, View};
+use crate::field::Field;
+use crate::grid::Triangle;
 use crate::pattern::Pattern;
 use crate::pieces;
 use crate::row_span::Scene;
@@ -99,8 +100,10 @@ host! {
         pub empty: u32,
         /// Entries of each list that earlier launches have taken.
         pub skip: u32,
-        /// Receivers.
-        pub view: View,
+        /// Receivers along x.
+        pub columns: u32,
+        /// Receivers along y.
+        pub rows: u32,
     }
 }
 
@@ -137,6 +140,7 @@ bindings! {
         read samples @ 4: [IVec2],
         read table @ 5: [u32],
         write hidden @ 6: [u32],
+        read receivers @ 7: [IVec4],
     }
 }
 
@@ -198,7 +202,7 @@ pub fn record_masks(
     job: &mut Job,
     pattern: &Pattern,
     resolution: Resolution,
-    receivers: &Receivers,
+    field: &Field,
     tiles: &Tiles,
     triangles: &[Triangle],
 ) -> Result<Buffer<[u32]>> {
@@ -208,9 +212,9 @@ pub fn record_masks(
     let vertices = job.slice("vertices", if words.is_empty() { &[0] } else { words });
     let starts = job.slice("starts", &tiles.starts);
     let entries = job.slice("entries", if tiles.entries.is_empty() { &[0] } else { &tiles.entries[..] });
-    let hidden = job.zeroed("hidden", u64::from(receivers.count()) * u64::from(pattern.words()));
+    let hidden = job.zeroed("hidden", u64::from(field.count()) * u64::from(pattern.words()));
     let table = kernel.record_table(job);
-    kernel.record(job, receivers, tiles, table, Scene { vertices, starts, entries, hidden })?;
+    kernel.record(job, field, tiles, table, Scene { vertices, starts, entries, hidden })?;
     Ok(hidden)
 }
 
@@ -314,16 +318,9 @@ impl LineMask {
 
     /// Adds the samples that the tiles' triangles hide to `hidden`, in recordings of bounded cost. `table` is this
     /// pattern's, and triangles may lie anywhere on the grid.
-    pub fn record(
-        &self,
-        job: &mut Job,
-        receivers: &Receivers,
-        tiles: &Tiles,
-        table: Table,
-        scene: Scene,
-    ) -> Result<()> {
-        receivers.check()?;
-        let words = u64::from(receivers.count()) * u64::from(self.pattern.words());
+    pub fn record(&self, job: &mut Job, field: &Field, tiles: &Tiles, table: Table, scene: Scene) -> Result<()> {
+        field.check(&self.pattern)?;
+        let words = u64::from(field.count()) * u64::from(self.pattern.words());
         let [width, height] = TILE;
         if tiles.size[0] != width || !tiles.size[1].is_multiple_of(height) || scene.hidden.len() < words {
             let what = format!("tiles of {:?} receivers and {} words of masks", tiles.size, scene.hidden.len());
@@ -335,12 +332,13 @@ impl LineMask {
             return Err(Error::refused(what, "record the table of this pattern and resolution"));
         }
         let program = job.program(&self.program);
-        for Launch { rows, skip } in tiles.launches(receivers.rows, height, PAIRS, LIST) {
+        let receivers = field.upload(job);
+        for Launch { rows, skip } in tiles.launches(field.rows(), height, PAIRS, LIST) {
             pieces::cut(job);
-            let params = job.value("line mask params", &self.params(receivers, tiles, rows.start, skip));
+            let params = job.value("line mask params", &self.params(field, tiles, rows.start, skip));
             let Scene { vertices, starts, entries, hidden } = scene;
             let Table { samples, cells: table } = table;
-            let bound = Lookups { params, vertices, starts, entries, samples, table, hidden };
+            let bound = Lookups { params, vertices, starts, entries, samples, table, hidden, receivers };
             let groups = [tiles.count[0], (rows.len() as u32).div_ceil(height), 1];
             job.launch(program, "line_mask", &bound, groups);
         }
@@ -364,7 +362,7 @@ impl LineMask {
         }
     }
 
-    fn params(&self, receivers: &Receivers, tiles: &Tiles, first_row: u32, skip: u32) -> Params {
+    fn params(&self, field: &Field, tiles: &Tiles, first_row: u32, skip: u32) -> Params {
         let [centre_x, centre_y] = self.pattern.centre();
         Params {
             first_row,
@@ -379,7 +377,8 @@ impl LineMask {
             words: self.pattern.words(),
             empty: (self.table_words() - self.resolution.cell_words(self.pattern.words())) as u32,
             skip,
-            view: View::of(receivers),
+            columns: field.columns(),
+            rows: field.rows(),
         }
     }
 }

@@ -6,6 +6,7 @@ use glam::IVec4;
 use crate::backprojection::oracle::backproject;
 use crate::exact::oracle::angle::atan2_bam;
 use crate::exact::oracle::line::{Line, half_plane};
+use crate::field::{Field, Receiver};
 use crate::grid::{Point, Receivers, Triangle};
 use crate::pattern::Pattern;
 use crate::tiles::Tiles;
@@ -18,10 +19,10 @@ pub fn sets(pattern: &Pattern, receivers: &Receivers, triangles: &[Triangle]) ->
 }
 
 /// The same where a receiver has the triangles of its tile's list alone.
-pub fn tile_sets(pattern: &Pattern, receivers: &Receivers, tiles: &Tiles, triangles: &[Triangle]) -> Vec<u32> {
-    pattern.sets(receivers.count(), |receiver| {
-        let list = tiles.list(receiver % receivers.columns, receiver / receivers.columns);
-        pattern.hidden_set(receivers.at(receiver), list.iter().map(|triangle| &triangles[*triangle as usize]))
+pub fn tile_sets(pattern: &Pattern, field: &Field, tiles: &Tiles, triangles: &[Triangle]) -> Vec<u32> {
+    pattern.sets(field.count(), |receiver| {
+        let list = tiles.list(receiver % field.columns(), receiver / field.columns());
+        field.hidden_set(receiver, pattern, list.iter().map(|triangle| &triangles[*triangle as usize]))
     })
 }
 
@@ -84,14 +85,14 @@ fn sampled(pattern: &Pattern, axes: &[IVec4], line: Line) -> Vec<u32> {
 pub fn sampled_set<'a>(
     pattern: &Pattern,
     axes: &[IVec4],
-    receiver: Point,
+    receiver: &Receiver,
     triangles: impl IntoIterator<Item = &'a Triangle>,
 ) -> Vec<u32> {
-    let [x, y] = pattern.centre();
-    let centred = |p: Point| [p[0] - x, p[1] - y, p[2]];
+    let ([x, y], shift) = (pattern.centre(), receiver.shift);
+    let centred = |p: Point| [p[0] - x - shift[0], p[1] - y - shift[1], p[2]];
     let mut words = vec![0; pattern.words() as usize];
-    for triangle in triangles {
-        let Some(found) = backproject(centred(receiver), &triangle.map(centred)) else { continue };
+    for triangle in triangles.into_iter().filter(|_| receiver.is_there()) {
+        let Some(found) = backproject(centred(receiver.at), &triangle.map(centred)) else { continue };
         let touches = triangle.iter().any(|v| v[2] <= 0);
         let in_source = touches && (found.own.a, found.own.b, found.own.c) == (0, 0, 0);
         let mut all = mask(pattern, |_, _| !in_source);
@@ -106,18 +107,12 @@ pub fn sampled_set<'a>(
 
 /// Masks of all receivers by the paper's table of 2^k angles and distances. A table that errs can take a triangle to hide
 /// what it is too far from, so it matters which triangles a receiver is tried with: those of its tile's list.
-pub fn sampled_sets(
-    pattern: &Pattern,
-    k: u32,
-    receivers: &Receivers,
-    tiles: &Tiles,
-    triangles: &[Triangle],
-) -> Vec<u32> {
+pub fn sampled_sets(pattern: &Pattern, k: u32, field: &Field, tiles: &Tiles, triangles: &[Triangle]) -> Vec<u32> {
     let axes = axes(pattern.half_side_bits(), k);
-    pattern.sets(receivers.count(), |receiver| {
-        let list = tiles.list(receiver % receivers.columns, receiver / receivers.columns);
+    pattern.sets(field.count(), |receiver| {
+        let list = tiles.list(receiver % field.columns(), receiver / field.columns());
         let list = list.iter().map(|triangle| &triangles[*triangle as usize]);
-        sampled_set(pattern, &axes, receivers.at(receiver), list)
+        sampled_set(pattern, &axes, &field.receivers()[receiver as usize], list)
     })
 }
 
