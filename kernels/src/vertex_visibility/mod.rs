@@ -118,7 +118,26 @@ pub struct Resident {
 impl Resident {
     /// Uploads a mesh.
     pub fn upload(job: &mut Job, mesh: &Mesh) -> Result<Self> {
+        let all: Vec<u32> = (0..mesh.vertices.len() as u32).collect();
+        Self::upload_some(job, mesh, &all)
+    }
+
+    /// Uploads a mesh of which only the vertices `chosen`, each at most once, are asked about, in that order: vertex v of
+    /// the bits is vertex `chosen[v]` of the mesh. All triangles occlude.
+    pub fn upload_some(job: &mut Job, mesh: &Mesh, chosen: &[u32]) -> Result<Self> {
         mesh.check()?;
+        // A corner that is not asked about has a number that no vertex has.
+        let mut number = vec![u32::MAX; mesh.vertices.len()];
+        for (place, &vertex) in (0..).zip(chosen) {
+            match number.get_mut(vertex as usize) {
+                Some(free) if *free == u32::MAX => *free = place,
+                _ => {
+                    let what = format!("vertex {vertex} of {} is asked about", mesh.vertices.len());
+                    return Err(Error::refused(what, "choose vertices that are there, each at most once"));
+                }
+            }
+        }
+        let points: Vec<oracle::Point> = chosen.iter().map(|&vertex| mesh.vertices[vertex as usize]).collect();
         let axes = |points: &[oracle::Point]| -> Vec<i32> {
             (0..3).flat_map(|axis| points.iter().map(move |p| p[axis])).collect()
         };
@@ -126,14 +145,16 @@ impl Resident {
             |k: usize| -> Vec<oracle::Point> { mesh.triangles.iter().map(|t| mesh.vertices[t[k] as usize]).collect() };
         // A binding holds at least one element.
         let or_zero = |words: Vec<i32>| if words.is_empty() { vec![0] } else { words };
-        let vertices = or_zero(axes(&mesh.vertices));
+        let vertices = or_zero(axes(&points));
         let corners = or_zero((0..3).flat_map(|k| axes(&corner(k))).collect());
-        let numbers: Vec<u32> = (0..3).flat_map(|k| mesh.triangles.iter().map(move |t| t[k])).collect();
+        let number = &number;
+        let numbers: Vec<u32> =
+            (0..3).flat_map(|k| mesh.triangles.iter().map(move |t| number[t[k] as usize])).collect();
         Ok(Resident {
             vertices: job.slice("vertices", &vertices),
             corners: job.slice("corners", &corners),
             numbers: job.slice("corner numbers", if numbers.is_empty() { &[0] } else { &numbers[..] }),
-            counts: [mesh.vertices.len() as u32, mesh.triangles.len() as u32],
+            counts: [chosen.len() as u32, mesh.triangles.len() as u32],
             bounds: mesh.bounds(),
             coverage: mesh.coverage(),
         })

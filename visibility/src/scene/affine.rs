@@ -1,6 +1,6 @@
 //! Affine maps: where a node stands, and how the vertices of a mesh come into the scene.
 
-use crate::vector::{Vector, add, scale};
+use crate::vector::{Vector, add, cross, dot, scale};
 
 /// An affine map: the images of the three axes, and of the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,6 +29,19 @@ impl Affine {
     /// The image of a direction.
     pub fn linear(&self, [x, y, z]: Vector) -> Vector {
         add(add(scale(self.0[0], x), scale(self.0[1], y)), scale(self.0[2], z))
+    }
+
+    /// Whether what turned counter-clockwise turns clockwise.
+    pub fn mirrors(&self) -> bool {
+        let [a, b, c, _] = self.0;
+        dot(cross(a, b), c) < 0.0
+    }
+
+    /// The image of a normal, of another length: by the transposed inverse but for the determinant's magnitude.
+    pub fn normal(&self, [x, y, z]: Vector) -> Vector {
+        let [a, b, c, _] = self.0;
+        let turned = add(add(scale(cross(b, c), x), scale(cross(c, a), y)), scale(cross(a, b), z));
+        scale(turned, if self.mirrors() { -1.0 } else { 1.0 })
     }
 
     /// The image of a point.

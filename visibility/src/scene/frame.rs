@@ -173,7 +173,7 @@ mod tests {
     #[test]
     fn a_snapped_mesh_is_within_half_a_cell() {
         let vertices = vec![[1.0, 2.0, 3.0], [4.0, 2.5, 3.0], [1.1, 2.2, 3.3]];
-        let mesh = Mesh { name: String::new(), vertices, triangles: vec![[0, 1, 2]] };
+        let mesh = Mesh { vertices, triangles: vec![[0, 1, 2]], ..Mesh::default() };
         let Snapped { vertices, to_mesh } = Snapped::of(&mesh);
         for (cells, point) in vertices.iter().zip(&mesh.vertices) {
             let back = to_mesh.apply(cells.map(f64::from));

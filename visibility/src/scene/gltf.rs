@@ -152,7 +152,12 @@ impl Walk<'_> {
         for primitive in mesh.primitives() {
             let Some(positions) = primitive.get(&Semantic::Positions) else { continue };
             let first = part.vertices.len() as u32;
-            let points = self.buffers.positions(&positions)?;
+            let points = self.buffers.vectors(&positions, "positions")?;
+            if let Some(accessor) = primitive.get(&Semantic::Normals) {
+                let normals = self.buffers.vectors(&accessor, "normals")?;
+                part.normals.resize(first as usize, [0.0; 3]);
+                part.normals.extend(normals);
+            }
             for triangle in self.triangles(&primitive, points.len())? {
                 if let Some(bad) = triangle.iter().find(|&&i| i as usize >= points.len()) {
                     let place = Place::file(self.path);
@@ -163,6 +168,9 @@ impl Walk<'_> {
                 part.triangles.push(triangle.map(|i| first + i));
             }
             part.vertices.extend(points);
+        }
+        if !part.normals.is_empty() {
+            part.normals.resize(part.vertices.len(), [0.0; 3]);
         }
         Ok(part)
     }

@@ -45,6 +45,8 @@ pub struct Mesh {
     pub name: String,
     /// Corners, in scene units.
     pub vertices: Vec<[f64; 3]>,
+    /// A normal of any length for each vertex, zero where the file has none for it; none at all where it has none for any.
+    pub normals: Vec<[f64; 3]>,
     /// Three vertices each.
     pub triangles: Vec<[u32; 3]>,
 }
@@ -169,6 +171,15 @@ fn check_part(part: &Mesh, path: &Path) -> Result<()> {
             let what = format!("the coordinates ({x:?}, {y:?}, {z:?}) are beyond {MAX_COORDINATE:e}");
             return Err(place("vertex", index).error(what, "choose larger units, or move the mesh to the origin"));
         }
+    }
+    if !part.normals.is_empty() && part.normals.len() != part.vertices.len() {
+        let what = format!("{} normals for {} vertices", part.normals.len(), part.vertices.len());
+        return Err(Place::file(path).element(mesh).error(what, "give each vertex a normal, or none"));
+    }
+    if let Some(index) = part.normals.iter().position(|n| n.iter().any(|c| !c.is_finite() || c.abs() > MAX_COORDINATE))
+    {
+        let what = format!("the normal {:?} is not finite, or absurdly long", part.normals[index]);
+        return Err(place("vertex", index).error(what, "leave the normals out: they are then computed"));
     }
     for (index, triangle) in part.triangles.iter().enumerate() {
         if let Some(bad) = triangle.iter().find(|&&i| i as usize >= part.vertices.len()) {

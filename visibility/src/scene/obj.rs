@@ -42,7 +42,7 @@ fn part(path: &Path, model: tobj::Model) -> Result<Mesh> {
         polygon::triangulate(place, vertices, corners, &mut triangles)?;
         rest = after;
     }
-    Ok(Mesh { vertices: vertices.to_vec(), triangles, name })
+    Ok(Mesh { vertices: vertices.to_vec(), triangles, name, ..Mesh::default() })
 }
 
 /// What matters of a file, one line each with the number of its first line: `v` with its coordinates (and weight), `f`

@@ -27,8 +27,14 @@ pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Scene> {
             ),
         }
     }
-    let vertices: Vec<[f64; 3]> = vertices.into_iter().map(|Vertex(v)| v).collect();
-    let mut mesh = Mesh { name: String::new(), triangles: Vec::with_capacity(faces.len()), vertices };
+    let has_normals = header.elements.iter().any(|(name, element)| {
+        let has = |axis: &str| element.properties.iter().any(|(property, _)| property == axis);
+        name == "vertex" && NORMAL.into_iter().all(has)
+    });
+    let normals = vertices.iter().filter(|_| has_normals).map(|v: &Vertex| v.normal).collect();
+    let vertices: Vec<[f64; 3]> = vertices.into_iter().map(|v| v.position).collect();
+    let triangles = Vec::with_capacity(faces.len());
+    let mut mesh = Mesh { name: String::new(), triangles, vertices, normals };
     for (number, Face(corners)) in faces.iter().enumerate() {
         add_face(|| Place::file(path).element(format!("face {}", number + 1)), corners, &mut mesh)?;
     }
@@ -44,7 +50,7 @@ fn check(path: &Path, header: &Header) -> Result<()> {
     let has = |element: &str, property: &str| {
         header.elements.iter().any(|(name, e)| name == element && e.properties.iter().any(|(name, _)| name == property))
     };
-    if let Some(missing) = ["x", "y", "z"].into_iter().find(|axis| !has("vertex", axis)) {
+    if let Some(missing) = POSITION.into_iter().find(|axis| !has("vertex", axis)) {
         return Err(Place::file(path).error(format!("its vertices have no property `{missing}`"), REMEDY));
     }
     if !INDICES.iter().any(|name| has("face", name)) {
@@ -75,18 +81,36 @@ fn refused(path: &Path, ascii: bool, error: &ParseError) -> Error {
 /// Names of the list of a face's corners.
 const INDICES: [&str; 2] = ["vertex_indices", "vertex_index"];
 
-struct Vertex([f64; 3]);
+const POSITION: [&str; 3] = ["x", "y", "z"];
+const NORMAL: [&str; 3] = ["nx", "ny", "nz"];
+
+#[derive(Default)]
+struct Vertex {
+    position: [f64; 3],
+    normal: [f64; 3],
+}
+
+impl Vertex {
+    fn coordinate(&mut self, name: &str) -> Option<&mut f64> {
+        let axis_of = |names: [&str; 3]| names.into_iter().position(|axis| axis == name);
+        match (axis_of(POSITION), axis_of(NORMAL)) {
+            (Some(axis), _) => Some(&mut self.position[axis]),
+            (_, Some(axis)) => Some(&mut self.normal[axis]),
+            _ => None,
+        }
+    }
+}
 
 impl PropertyAccess for Vertex {
     fn new() -> Self {
-        Vertex([0.0; 3])
+        Vertex::default()
     }
 
     fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
-        let Some(axis) = ["x", "y", "z"].iter().position(|axis| *axis == name) else {
+        let Some(coordinate) = self.coordinate(name) else {
             return PropertyAccessResult::Ignored;
         };
-        self.0[axis] = match property {
+        *coordinate = match property {
             Property::Char(v) => v.into(),
             Property::UChar(v) => v.into(),
             Property::Short(v) => v.into(),

@@ -260,3 +260,27 @@ fn a_glb_that_is_cut_off_is_refused() {
     short[8..12].copy_from_slice(&4_u32.to_le_bytes());
     assert!(refusal(load_bytes("a.glb", short), "a.glb").contains("its header is cut off"));
 }
+
+#[test]
+fn normals_follow_their_node_and_mirrored_triangles_are_turned_round() {
+    let node = |scale: &str| {
+        let json = TRIANGLE
+            .replace("URI", "")
+            .replace(r#""mesh": 0}"#, &format!(r#""mesh": 0, "scale": {scale}}}"#))
+            .replace(r#"{"POSITION": 0}"#, r#"{"POSITION": 0, "NORMAL": 1}"#)
+            .replace("\"bufferViews\"", "\"bufferViews_\"")
+            .replace(r#""max": [1,1,0]}]"#, r#""max": [1,1,0]},
+                {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC3"}]"#)
+            .replace(
+                r#""bufferViews_": [{"buffer": 0, "byteLength": 36}]"#,
+                r#""bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 36}]"#,
+            )
+            .replace(r#""buffers": [{"byteLength": 36}]"#, r#""buffers": [{"byteLength": 72}]"#);
+        let normals = [1.0_f32, 0.0, 1.0].repeat(3).iter().flat_map(|c| c.to_le_bytes()).collect::<Vec<u8>>();
+        load_bytes("a.glb", glb(&json, &[points(), normals].concat())).unwrap().parts.remove(0)
+    };
+    let part = node("[2, 1, 1]");
+    assert_eq!((part.triangles[0], part.normals[0]), ([0, 1, 2], [1.0, 0.0, 2.0]), "steeper along the axis that grew");
+    let part = node("[1, 1, -1]");
+    assert_eq!((part.triangles[0], part.normals[0]), ([0, 2, 1], [1.0, 0.0, -1.0]));
+}

@@ -180,3 +180,20 @@ fn no_cut_and_no_flipped_byte_panics() {
         }
     }
 }
+
+#[test]
+fn ply_normals_are_read_where_all_three_are_there() {
+    let text = |properties: &str, rest: &str| {
+        let vertex = |p: &str| format!("{p} {rest}\n");
+        let vertices = ["0 0 0", "1 0 0", "0 1 0"].map(vertex).concat();
+        format!(
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n{properties}\
+             element face 1\nproperty list uchar int vertex_index\nend_header\n{vertices}3 0 1 2\n"
+        )
+    };
+    let normal = "property float nx\nproperty float ny\nproperty float nz\n";
+    let scene = load_bytes("mesh.ply", text(normal, "0 0.5 -2")).unwrap();
+    assert_eq!(scene.parts[0].normals, [[0.0, 0.5, -2.0]; 3]);
+    let scene = load_bytes("mesh.ply", text(&normal.replace("nz", "curvature"), "0 0.5 -2")).unwrap();
+    assert!(scene.parts[0].normals.is_empty());
+}

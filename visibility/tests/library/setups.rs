@@ -8,7 +8,7 @@ use super::{Folder, refusal};
 
 /// A scene of one triangle.
 fn triangle(corners: [[f64; 3]; 3]) -> Scene {
-    let part = Mesh { name: String::new(), vertices: corners.to_vec(), triangles: vec![[0, 1, 2]] };
+    let part = Mesh { vertices: corners.to_vec(), triangles: vec![[0, 1, 2]], ..Mesh::default() };
     Scene { name: "triangle".into(), units: "metres", parts: vec![part] }
 }
 

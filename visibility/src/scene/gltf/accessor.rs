@@ -42,9 +42,9 @@ impl<'a> Buffers<'a> {
         Ok(Buffers { path, bytes })
     }
 
-    /// Points, from floats or (quantised) integers.
-    pub(super) fn positions(&self, accessor: &Accessor<'_>) -> Result<Vec<Vector>> {
-        self.expect(accessor, Dimensions::Vec3, accessor.data_type() != DataType::U32, "positions", MAX_VERTICES)?;
+    /// Positions or normals, from floats or (quantised) integers.
+    pub(super) fn vectors(&self, accessor: &Accessor<'_>, what: &str) -> Result<Vec<Vector>> {
+        self.expect(accessor, Dimensions::Vec3, accessor.data_type() != DataType::U32, what, MAX_VERTICES)?;
         let largest = match accessor.data_type() {
             DataType::I8 => 127.0,
             DataType::U8 => 255.0,
