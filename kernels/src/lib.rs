@@ -23,6 +23,7 @@ pub mod irradiance;
 pub mod item_histogram;
 pub mod light_sphere;
 pub mod line_mask;
+pub mod op_map;
 pub mod pattern;
 pub mod permute;
 pub mod pieces;
@@ -76,6 +77,7 @@ package! {
         item_histogram,
         light_sphere,
         line_mask,
+        op_map,
         popcount,
         raster,
         region_sets,
