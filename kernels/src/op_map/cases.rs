@@ -17,7 +17,7 @@ const FIRST_WITHOUT_SECOND: Truth = Truth(0b0010_0010);
 
 pub(super) fn all() -> Vec<Case> {
     vec![
-        words("no_word", Truth::AND, 0),
+        words("one_word", Truth::AND, 1),
         words("and", Truth::AND, 1000),
         words("or", Truth::OR, 257),
         words("majority", MAJORITY, 1000),
