@@ -2,6 +2,7 @@
 
 use sightlines_backend::{ErrorKind, Job, Result};
 use sightlines_kernels::item_histogram::{ItemHistogram, Order, Tiling};
+use sightlines_kernels::op_map::{OpMap, Truth};
 use sightlines_kernels::popcount::{Method, Popcount, Shape};
 use sightlines_kernels::raster::{self, Faces, Ids, Mesh, Picture, Placement, Raster, View};
 use sightlines_kernels::region_sets::{self, RegionSets};
@@ -157,4 +158,17 @@ fn region_sets_of_too_many_objects_channels_or_regions() {
     let (short, words, queries) = (job.zeroed("short", 4095), job.zeroed("words", 4096), job.zeroed("queries", 1));
     refused(kernel.record_paint(&mut job, &regions, 0, short, words), "4095 items");
     refused(kernel.record_count(&mut job, &regions, 0, [words, words], queries), "1 queries");
+}
+
+#[test]
+fn masks_of_several_lengths_and_short_tables() {
+    let kernel = OpMap::new().expect("it compiles");
+    let mut job = Job::new();
+    let table = kernel.table(&mut job, Truth::AND);
+    let [a, b, combined] = ["a", "b", "combined"].map(|name| job.zeroed(name, 40));
+    let [longer, short_table] = [41, 4_194_303].map(|len| job.zeroed("other", len));
+    refused(kernel.record(&mut job, table, [a, longer, b], combined), "41");
+    refused(kernel.record(&mut job, table, [a, a, b], longer), "41");
+    refused(kernel.record(&mut job, short_table, [a, a, b], combined), "4194303");
+    kernel.record(&mut job, table, [a, a, b], combined).expect("one mask may be taken twice");
 }
