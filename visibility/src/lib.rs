@@ -5,6 +5,7 @@
 //! | [`scene`] | meshes from OBJ, glTF and PLY files, and generated ones |
 //! | [`setup`] | where light and receiver stand: defaults, and scene files |
 //! | [`shadows`] | soft shadows of area lights: hidden-sample sets |
+//! | [`queries`] | granular visibility queries: pixels seen of every instance, in every tile |
 //! | [`image`] | the visible share as PNG and EXR |
 //! | [`sets`] | the sets in a file |
 //!
@@ -17,6 +18,7 @@
 pub mod error;
 pub mod image;
 pub mod output;
+pub mod queries;
 pub mod scene;
 pub mod sets;
 pub mod setup;

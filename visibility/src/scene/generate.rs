@@ -4,12 +4,14 @@
 //! with y up, in metres, above the ground plane y = 0.
 
 mod bumpy;
+mod crowd;
 mod palms;
 mod shapes;
 
-use super::{Mesh, Scene};
+use super::{Mesh, Scene, World};
 
 pub use bumpy::bumpy_sphere;
+pub use crowd::{MAX_BALLS, creature_in_hall, crowd};
 
 /// A scene by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,6 +55,17 @@ pub fn generate(generator: Generator) -> Scene {
         Generator::Colonnade => shapes::colonnade(),
     };
     Scene { name: generator.name().to_owned(), units: "metres", parts }
+}
+
+/// A scene with instances and cameras by name: `hall`, `crowd-100` and the like up to [`MAX_BALLS`], or a
+/// [`Generator`].
+pub fn generate_world(name: &str) -> Option<World> {
+    if name == "hall" {
+        return Some(creature_in_hall());
+    }
+    let balls = name.strip_prefix("crowd-").and_then(|count| count.parse().ok());
+    let crowd = balls.filter(|count| (1..=MAX_BALLS).contains(count)).map(crowd);
+    crowd.or_else(|| Generator::from_name(name).map(|known| World::of(generate(known))))
 }
 
 impl Mesh {

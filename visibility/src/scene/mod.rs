@@ -23,7 +23,7 @@ use crate::vector::{self, Vector, add, cross, scale, sub};
 
 pub use affine::Affine;
 pub use camera::{Camera, Lens};
-pub use generate::{Generator, bumpy_sphere, generate};
+pub use generate::{Generator, MAX_BALLS, bumpy_sphere, creature_in_hall, crowd, generate, generate_world};
 pub use load::{load, load_world};
 pub use world::{Instance, World};
 

@@ -1,0 +1,120 @@
+//! Granular visibility queries: how many pixels of what are seen, where.
+//!
+//! Engelhardt and Dachsbacher, *Granular Visibility Queries on the GPU*. A [`Stage`] is drawn once; one of two methods
+//! counts its items, over the whole picture and in 2^t by 2^t tiles of it. [`Counts`] are buffers of the job that drew,
+//! so what is recorded after them reads them on the device; [`query`] reads them back.
+//!
+//! | method | exact | items | cost |
+//! |---|---|---|---|
+//! | [`Method::Hib`] | yes | instances and clusters, 2^25 bins | a label and an atomic addition a pixel |
+//! | [`Method::Sat`] | never fewer than are visible | up to 2,000 instances | a table a channel; 4 look-ups a region |
+
+mod answer;
+pub mod bounds;
+mod hib;
+mod sat;
+mod stage;
+
+use sightlines_backend::Job;
+use sightlines_backend::host::Buffer;
+use sightlines_kernels::item_histogram::{ItemHistogram, Order};
+use sightlines_kernels::raster::Raster;
+use sightlines_kernels::region_sets::RegionSets;
+use sightlines_kernels::sat::Sat;
+
+use crate::error::Result;
+
+pub use answer::{Answer, Cost, Spent, query};
+pub use stage::{Drawn, Granularity, Item, Stage};
+
+/// How pixels are counted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// The hierarchical item buffer: a histogram of the items of all pixels.
+    Hib {
+        /// In which order pixels meet their bins.
+        order: Order,
+    },
+    /// Summed-area tables of colour channels, read in the regions of each item.
+    Sat {
+        /// Channels, 1 to 8.
+        channels: u32,
+        /// Most regions of an item, 1 to 64; none: as many as the number of items allows.
+        limit: Option<u32>,
+    },
+}
+
+impl Method {
+    /// The item buffer in the order of memory.
+    pub const HIB: Method = Method::Hib { order: Order::Memory };
+    /// Four channels, as one colour target has, and as many regions as can be.
+    pub const SAT: Method = Method::Sat { channels: 4, limit: None };
+
+    /// Its name on command lines and in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::Hib { .. } => "hib",
+            Method::Sat { .. } => "sat",
+        }
+    }
+
+    /// Whether counts are the numbers of visible pixels, and not bounds of them.
+    pub fn is_exact(self) -> bool {
+        matches!(self, Method::Hib { .. })
+    }
+}
+
+/// The compiled kernels of queries.
+pub struct Queries {
+    /// The raster that stages are drawn with.
+    pub raster: Raster,
+    pub(crate) histogram: ItemHistogram,
+    sat: Sat,
+    region_sets: RegionSets,
+}
+
+/// Counts on the device.
+#[derive(Clone, Copy, Debug)]
+pub struct Counts {
+    /// Number of items.
+    pub items: u32,
+    /// Logarithm of the tiles a side.
+    pub depth: u32,
+    /// Pixels of every item in the whole picture, a word each.
+    pub totals: Buffer<[u32]>,
+    /// Pixels of every item in every tile: those of item i in tile (x, y) at
+    /// `i * item_step + (x + (y << depth)) * tile_step`.
+    pub tiles: Buffer<[u32]>,
+    /// Words from an item to the next.
+    pub item_step: u32,
+    /// Words from a tile to the next.
+    pub tile_step: u32,
+}
+
+impl Queries {
+    /// Compiles the kernels.
+    ///
+    /// # Errors
+    ///
+    /// None that a caller can cause.
+    pub fn new() -> Result<Self> {
+        Ok(Queries {
+            raster: Raster::new()?,
+            histogram: ItemHistogram::new()?,
+            sat: Sat::new()?,
+            region_sets: RegionSets::new()?,
+        })
+    }
+
+    /// Counts the items of a stage that `job` has drawn, in the picture and in its 2^depth by 2^depth tiles.
+    ///
+    /// # Errors
+    ///
+    /// More items, tiles or channels than the device's limits allow, with the limit.
+    pub fn record(&self, job: &mut Job, stage: &Stage, drawn: &Drawn, method: Method, depth: u32) -> Result<Counts> {
+        match method {
+            Method::Hib { order } => hib::record(self, job, drawn, order, depth),
+            Method::Sat { channels, limit } => sat::record(self, job, stage, drawn, channels, limit, depth),
+        }
+    }
+}

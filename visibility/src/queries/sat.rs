@@ -1,0 +1,127 @@
+//! Counting by summed-area tables: bounds, region sets, a table a channel, four look-ups a region (section 3.1 of the
+//! paper).
+//!
+//! Bounding rectangles and outlines come from the host, which the method needs for them; the conflict graph, its
+//! colouring and the division run on the device. One image and one table serve all channels, one after the other.
+
+use glam::{IVec2, UVec4};
+use sightlines_backend::Job;
+use sightlines_backend::host::Buffer;
+use sightlines_kernels::region_sets::{MAX_CHANNELS, MAX_MET, MAX_OBJECTS, MAX_REGIONS, Regions, Shape};
+use sightlines_kernels::sat::Extent;
+
+use super::bounds::{self, Bounds};
+use super::{Counts, Drawn, Queries, Stage, hib};
+use crate::error::{Place, Result};
+
+pub(super) fn record(
+    queries: &Queries,
+    job: &mut Job,
+    stage: &Stage,
+    drawn: &Drawn,
+    channels: u32,
+    limit: Option<u32>,
+    depth: u32,
+) -> Result<Counts> {
+    let shape = shape(stage, drawn, channels, limit)?;
+    hib::bins(drawn.items, depth)?;
+    let regions = regions(queries, job, shape, &bounds::of(stage))?;
+    let items = hib::labels(queries, job, drawn, 0)?;
+    let words = u64::from(drawn.items.max(1));
+    let totals = job.zeroed("totals", words);
+    let tiles: Vec<(UVec4, Buffer<[u32]>)> = match depth {
+        0 => vec![(UVec4::new(0, 0, shape.width, shape.height), totals)],
+        _ => {
+            let all = std::iter::once((UVec4::new(0, 0, shape.width, shape.height), totals));
+            all.chain(tiles(shape, depth).map(|tile| (tile, job.zeroed("tile counts", words)))).collect()
+        }
+    };
+    let sums: Vec<_> = tiles.into_iter().map(|(tile, sums)| (asked(job, tile, drawn.items), sums)).collect();
+    sum_channels(queries, job, &regions, items, shape, &sums)?;
+    let tiles = if depth == 0 { totals } else { gather(job, &sums[1..], drawn.items) };
+    Ok(Counts { items: drawn.items, depth, totals, tiles, item_step: 1, tile_step: drawn.items })
+}
+
+/// The same query rectangle for every item.
+fn asked(job: &mut Job, tile: UVec4, items: u32) -> Buffer<[UVec4]> {
+    job.slice("query rectangles", &vec![tile; items.max(1) as usize])
+}
+
+/// Paints, sums and counts channel after channel.
+fn sum_channels(
+    queries: &Queries,
+    job: &mut Job,
+    regions: &Regions,
+    items: Buffer<[u32]>,
+    shape: Shape,
+    sums: &[(Buffer<[UVec4]>, Buffer<[u32]>)],
+) -> Result<()> {
+    let extent = Extent { width: shape.width, height: shape.height };
+    let [image, table] = ["channel", "table"].map(|name| job.zeroed(name, extent.pixels()));
+    for channel in 0..shape.channels {
+        queries.region_sets.record_paint(job, regions, channel, items, image)?;
+        queries.sat.record(job, extent, image, table)?;
+        for (asked, sums) in sums {
+            queries.region_sets.record_count(job, regions, channel, [table, *sums], *asked)?;
+        }
+    }
+    Ok(())
+}
+
+/// The counts of all tiles in one buffer, tile after tile.
+fn gather(job: &mut Job, tiles: &[(Buffer<[UVec4]>, Buffer<[u32]>)], items: u32) -> Buffer<[u32]> {
+    let all: Buffer<[u32]> = job.zeroed("counts of tiles", (tiles.len() as u64 * u64::from(items)).max(1));
+    for (number, (_, sums)) in tiles.iter().enumerate().filter(|_| items > 0) {
+        job.record(sightlines_backend::Command::Copy {
+            from: sums.id(),
+            from_offset: 0,
+            to: all.id(),
+            to_offset: 4 * number as u64 * u64::from(items),
+            size: 4 * u64::from(items),
+        });
+    }
+    all
+}
+
+/// Makes the regions of instances from their bounds.
+pub(super) fn regions(queries: &Queries, job: &mut Job, shape: Shape, bounds: &[Bounds]) -> Result<Regions> {
+    let bounds = if bounds.is_empty() { &[Bounds::EMPTY] } else { bounds };
+    let rectangles: Vec<UVec4> = bounds.iter().map(|b| b.rectangle).collect();
+    let outlines: Vec<IVec2> = bounds.iter().flat_map(|b| b.outline).collect();
+    let (rectangles, outlines) = (job.slice("rectangles", &rectangles), job.slice("outlines", &outlines));
+    Ok(queries.region_sets.record(job, shape, rectangles, outlines)?)
+}
+
+/// Tile (x, y) of a picture holds the pixels whose labels have it: floor(2^depth column / width) = x, and so for rows.
+fn tiles(shape: Shape, depth: u32) -> impl Iterator<Item = UVec4> {
+    let edge = move |tile: u32, side: u32| (tile * side).div_ceil(1 << depth);
+    let Shape { width, height, .. } = shape;
+    (0..1 << depth).flat_map(move |y| {
+        (0..1 << depth)
+            .map(move |x| UVec4::new(edge(x, width), edge(y, height), edge(x + 1, width), edge(y + 1, height)))
+    })
+}
+
+/// The shape of the regions, and why there is none.
+fn shape(stage: &Stage, drawn: &Drawn, channels: u32, limit: Option<u32>) -> Result<Shape> {
+    let objects = drawn.items;
+    let place = || Place::default().element("method sat");
+    if stage.instances() != stage.items.len() {
+        let what = "tables count instances, and the items are clusters";
+        return Err(place().error(what, "count clusters with `hib`"));
+    }
+    if objects > MAX_OBJECTS {
+        let what = format!("{objects} instances, at most {MAX_OBJECTS} have regions");
+        return Err(place().error(what, "count with `hib`, or query a part of the scene"));
+    }
+    if !(1..=MAX_CHANNELS).contains(&channels) {
+        return Err(place().error(format!("{channels} channels"), format!("choose 1 to {MAX_CHANNELS}")));
+    }
+    let (width, height) = (drawn.picture.width, drawn.picture.height);
+    if width % 4 != 0 {
+        let what = format!("a picture {width} pixels wide, and tables sum four columns at once");
+        return Err(place().error(what, "choose a width that is a multiple of 4"));
+    }
+    let most = (MAX_MET / objects.max(1)).saturating_sub(2).clamp(1, MAX_REGIONS);
+    Ok(Shape { objects, channels, limit: limit.unwrap_or(most).min(most), width, height })
+}
