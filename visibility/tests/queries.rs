@@ -54,7 +54,7 @@ fn item_buffer_counts_are_those_of_every_pixel_and_tables_never_count_less() {
         ("colonnade", 9, [64, 64], 1),
     ] {
         let world = generate_world(name).unwrap();
-        let lone = Camera::parse("7,5,9/0,1.2,0", [0.0, 1.0, 0.0]).unwrap().unwrap();
+        let lone = Camera::parse("3,2.5,4/0,1.2,0", [0.0, 1.0, 0.0]).unwrap().unwrap();
         let frame = frame(&world, world.cameras.get(camera).unwrap_or(&lone), width as u32, height as u32);
         let stage = Stage::of(&world, frame).unwrap();
         let shown = shown(&world, &frame);
