@@ -130,6 +130,17 @@ impl Error {
         matches!(self, Error::Read { .. } | Error::Input { .. })
     }
 
+    /// The same error of bad input, in a file and line that its maker did not know.
+    #[must_use]
+    pub fn at(self, outer: Place) -> Self {
+        match self {
+            Error::Input { place: Place { file: None, element, .. }, what, remedy } => {
+                Error::Input { place: Place { element, ..outer }, what, remedy }
+            }
+            other => other,
+        }
+    }
+
     pub(crate) fn read(path: &Path, source: io::Error) -> Self {
         Error::Read { path: path.to_owned(), source }
     }

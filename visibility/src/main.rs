@@ -13,8 +13,12 @@ use clap::Parser;
 use program::cli::{Cli, Command};
 
 fn main() -> ExitCode {
-    let Cli { command: Command::Shadows(args) } = Cli::parse();
-    match program::shadows::run(&args, &mut io::stdout().lock()) {
+    let out = &mut io::stdout().lock();
+    let done = match Cli::parse().command {
+        Command::Shadows(args) => program::shadows::run(&args, out),
+        Command::Queries(args) => program::queries::run(&args, out),
+    };
+    match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             if !failure.is_closed_pipe() {

@@ -7,6 +7,8 @@ use sightlines_visibility::image::Depth;
 use sightlines_visibility::scene::Generator;
 use sightlines_visibility::setup::{Settings, Up};
 
+use super::queries::{QUERIES_HELP, QueriesArgs};
+
 const AFTER_HELP: &str = "\
 Exit codes:
   0  done
@@ -49,6 +51,9 @@ pub(crate) enum Command {
     /// Bake the soft shadow of an area light.
     #[command(after_help = AFTER_HELP, after_long_help = format!("{SHADOWS_HELP}\n\n{AFTER_HELP}"))]
     Shadows(ShadowsArgs),
+    /// Count the pixels that are seen of every instance, and where.
+    #[command(after_help = AFTER_HELP, after_long_help = format!("{QUERIES_HELP}\n\n{AFTER_HELP}"))]
+    Queries(QueriesArgs),
 }
 
 /// Arguments of `sightlines shadows`.
@@ -193,6 +198,9 @@ mod tests {
             "shadows a.obj -o a.png --exr a.exr --sets a.sets --light-size 1 --resolution 64 --samples 32 --up z",
             "shadows --scene palms --backend cpu --threads 2 --bits 16 --counts",
             "shadows --scene-file a.toml --backend wgpu --adapter llvmpipe",
+            "queries a.glb --camera front --camera 1,2,3/0,0,0/60 --tiles 3 --json a.json --heat a.png",
+            "queries --scene crowd-100 --method sat --channels 8 --size 640x480 --path a.txt --seen a.seen",
+            "queries --scene hall --camera -1,2,-3/0,0,0 --orbit 8 --clusters 4 --csv a.csv --backend cpu",
         ] {
             assert!(parse(good).is_ok(), "{good}");
         }
@@ -205,6 +213,12 @@ mod tests {
             "shadows a.obj --threads 0",
             "shadows a.obj --up x",
             "shadows a.obj --resolution many",
+            "queries",
+            "queries a.obj --method zbuffer",
+            "queries a.obj --size 640",
+            "queries a.obj --size 0x4",
+            "queries --scene crowd-0",
+            "queries a.obj --tiles 9",
         ] {
             assert!(parse(bad).is_err(), "{bad}");
         }

@@ -3,7 +3,9 @@
 pub(crate) mod cli;
 mod machine;
 mod progress;
+pub(crate) mod queries;
 pub(crate) mod shadows;
+mod targets;
 
 use std::io;
 

@@ -1,19 +1,18 @@
 //! `sightlines shadows`: a scene in, a picture of the visible share and its sets out, and a short report.
 
-use std::io::{self, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use sightlines_backend::{BackendInfo, Counts};
-use sightlines_visibility::error::Place;
 use sightlines_visibility::image::{Share, write_exr, write_png};
 use sightlines_visibility::setup::Setup;
 use sightlines_visibility::shadows::{Work, bake};
-use sightlines_visibility::{output, scene, sets};
+use sightlines_visibility::{scene, sets};
 
 use super::cli::ShadowsArgs;
 use super::progress::Progress;
-use super::{Failure, machine};
+use super::{Failure, machine, targets};
 
 /// Where the results go.
 struct Outputs {
@@ -26,7 +25,8 @@ struct Outputs {
 impl Outputs {
     fn new(args: &ShadowsArgs, lights: usize) -> Self {
         let nothing = args.output.is_none() && args.exr.is_none() && args.sets.is_none();
-        let sets = args.sets.iter().flat_map(|path| (0..lights).map(move |light| numbered(path, light, lights)));
+        let sets =
+            args.sets.iter().flat_map(|path| (0..lights).map(move |light| targets::numbered(path, light, lights)));
         Outputs {
             png: args.output.clone().or_else(|| nothing.then(|| "shadow.png".into())),
             exr: args.exr.clone(),
@@ -34,40 +34,14 @@ impl Outputs {
         }
     }
 
-    /// Refuses targets that cannot be written, that are one file, or that would replace what is read.
     fn check(&self, args: &ShadowsArgs) -> sightlines_visibility::Result<()> {
-        let mut taken: Vec<PathBuf> =
-            args.source.model.iter().chain(&args.source.scene_file).map(|path| real(path)).collect();
-        for path in self.paths() {
-            output::probe(path)?;
-            if taken.contains(&real(path)) {
-                let remedy = "give every result a file of its own";
-                return Err(Place::file(path).error("the file is read, or is the target of another result", remedy));
-            }
-            taken.push(real(path));
-        }
-        Ok(())
+        let read = args.source.model.iter().chain(&args.source.scene_file);
+        targets::check(read.map(PathBuf::as_path), self.paths())
     }
 
     fn paths(&self) -> impl Iterator<Item = &Path> {
         self.png.iter().chain(&self.exr).chain(&self.sets).map(PathBuf::as_path)
     }
-}
-
-/// A path by which a file is known whatever name it is given, whether it is there or not.
-fn real(path: &Path) -> PathBuf {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let beside = || Ok(folder.canonicalize()?.join(path.file_name().unwrap_or_default()));
-    path.canonicalize().or_else(|_: io::Error| beside()).unwrap_or_else(|_: io::Error| path.to_owned())
-}
-
-/// `a.sets` of one light; `a.0.sets`, `a.1.sets`, … of several.
-fn numbered(path: &Path, light: usize, lights: usize) -> PathBuf {
-    if lights == 1 {
-        return path.to_owned();
-    }
-    let extension = path.extension().map_or_else(String::new, |e| format!(".{}", e.to_string_lossy()));
-    path.with_extension(format!("{light}{extension}"))
 }
 
 /// Bakes, writes and reports.

@@ -11,8 +11,10 @@
 
 mod answer;
 pub mod bounds;
+pub mod files;
 mod hib;
 mod sat;
+pub mod share;
 mod stage;
 
 use sightlines_backend::Job;

@@ -29,17 +29,20 @@ pub(super) fn record(
     let items = hib::labels(queries, job, drawn, 0)?;
     let words = u64::from(drawn.items.max(1));
     let totals = job.zeroed("totals", words);
-    let tiles: Vec<(UVec4, Buffer<[u32]>)> = match depth {
-        0 => vec![(UVec4::new(0, 0, shape.width, shape.height), totals)],
-        _ => {
-            let all = std::iter::once((UVec4::new(0, 0, shape.width, shape.height), totals));
-            all.chain(tiles(shape, depth).map(|tile| (tile, job.zeroed("tile counts", words)))).collect()
-        }
-    };
-    let sums: Vec<_> = tiles.into_iter().map(|(tile, sums)| (asked(job, tile, drawn.items), sums)).collect();
+    let mut sums =
+        vec![Sum { asked: asked(job, UVec4::new(0, 0, shape.width, shape.height), drawn.items), sums: totals }];
+    for tile in tiles(shape, depth).filter(|_| depth > 0) {
+        sums.push(Sum { asked: asked(job, tile, drawn.items), sums: job.zeroed("tile counts", words) });
+    }
     sum_channels(queries, job, &regions, items, shape, &sums)?;
     let tiles = if depth == 0 { totals } else { gather(job, &sums[1..], drawn.items) };
     Ok(Counts { items: drawn.items, depth, totals, tiles, item_step: 1, tile_step: drawn.items })
+}
+
+/// A rectangle of the picture, once an item, and where the pixels of each item in it go.
+struct Sum {
+    asked: Buffer<[UVec4]>,
+    sums: Buffer<[u32]>,
 }
 
 /// The same query rectangle for every item.
@@ -54,14 +57,14 @@ fn sum_channels(
     regions: &Regions,
     items: Buffer<[u32]>,
     shape: Shape,
-    sums: &[(Buffer<[UVec4]>, Buffer<[u32]>)],
+    sums: &[Sum],
 ) -> Result<()> {
     let extent = Extent { width: shape.width, height: shape.height };
     let [image, table] = ["channel", "table"].map(|name| job.zeroed(name, extent.pixels()));
     for channel in 0..shape.channels {
         queries.region_sets.record_paint(job, regions, channel, items, image)?;
         queries.sat.record(job, extent, image, table)?;
-        for (asked, sums) in sums {
+        for Sum { asked, sums } in sums {
             queries.region_sets.record_count(job, regions, channel, [table, *sums], *asked)?;
         }
     }
@@ -69,9 +72,9 @@ fn sum_channels(
 }
 
 /// The counts of all tiles in one buffer, tile after tile.
-fn gather(job: &mut Job, tiles: &[(Buffer<[UVec4]>, Buffer<[u32]>)], items: u32) -> Buffer<[u32]> {
+fn gather(job: &mut Job, tiles: &[Sum], items: u32) -> Buffer<[u32]> {
     let all: Buffer<[u32]> = job.zeroed("counts of tiles", (tiles.len() as u64 * u64::from(items)).max(1));
-    for (number, (_, sums)) in tiles.iter().enumerate().filter(|_| items > 0) {
+    for (number, Sum { sums, .. }) in tiles.iter().enumerate().filter(|_| items > 0) {
         job.record(sightlines_backend::Command::Copy {
             from: sums.id(),
             from_offset: 0,

@@ -107,7 +107,7 @@ impl Stage {
             if users.is_empty() || mesh.triangles.is_empty() {
                 continue;
             }
-            let step = (mesh.triangles.len() - 1 >> shift) + 1;
+            let step = ((mesh.triangles.len() - 1) >> shift) + 1;
             let most = (MAX_POINTS as usize / mesh.vertices.len().max(1)).min(BATCH_ITEMS / step);
             if most == 0 {
                 let (vertices, triangles) = (mesh.vertices.len(), mesh.triangles.len());

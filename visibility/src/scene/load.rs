@@ -49,6 +49,16 @@ pub fn load_world(path: &Path) -> Result<World> {
     world.check(path)
 }
 
+/// Reads a small text file whole, such as a path of cameras.
+///
+/// # Errors
+///
+/// A file that is missing, too large or not UTF-8.
+pub fn read_text(path: &Path) -> Result<String> {
+    let invalid = |e| Error::read(path, std::io::Error::new(std::io::ErrorKind::InvalidData, e));
+    String::from_utf8(read(path)?).map_err(|e| invalid(e.utf8_error()))
+}
+
 /// A file's bytes, if there are not too many.
 pub(super) fn read(path: &Path) -> Result<Vec<u8>> {
     let failed = |source| Error::read(path, source);

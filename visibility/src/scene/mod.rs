@@ -24,7 +24,7 @@ use crate::vector::{self, Vector, add, cross, scale, sub};
 pub use affine::Affine;
 pub use camera::{Camera, Lens};
 pub use generate::{Generator, MAX_BALLS, bumpy_sphere, creature_in_hall, crowd, generate, generate_world};
-pub use load::{load, load_world};
+pub use load::{load, load_world, read_text};
 pub use world::{Instance, World};
 
 /// Largest file that is read, in bytes.

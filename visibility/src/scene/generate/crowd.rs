@@ -25,6 +25,7 @@ pub fn crowd(balls: u32) -> World {
         name: "ball".to_owned(),
         vertices: shape.vertices.iter().map(|v| v.map(|c| f64::from(c) / 16_000.0)).collect(),
         triangles: shape.triangles,
+        ..Mesh::default()
     };
     let mut floor = Mesh::named("floor");
     floor.vertices([[-FLOOR, 0.0, -FLOOR], [-FLOOR, 0.0, FLOOR], [FLOOR, 0.0, FLOOR], [FLOOR, 0.0, -FLOOR]]);
@@ -57,7 +58,7 @@ const RINGS: u32 = 99;
 const SIDES: u32 = 36;
 
 /// A creature of 7,128 triangles on the floor of a hall of 134,400, instance 0. Cameras `full`, `partial` and `occluded`
-/// see it wholly, between pillars, and not at all.
+/// see it wholly, between pillars, and from behind a wall.
 pub fn creature_in_hall() -> World {
     let mut meshes = vec![creature(), wall(), pillar()];
     meshes[1].name = "wall".to_owned();
@@ -84,7 +85,7 @@ pub fn creature_in_hall() -> World {
         cameras: cameras([
             ("full", [0.0, 2.2, 2.6], [0.0, 0.4, 0.0]),
             ("partial", [1.0, 1.6, 7.5], [0.0, 0.5, 0.0]),
-            ("occluded", [0.0, 1.2, 8.0], [0.0, 9.0, 9.9]),
+            ("occluded", [0.0, 2.0, 14.0], [0.0, 0.5, 0.0]),
         ]),
     }
 }
