@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`scene`] | meshes from OBJ, glTF and PLY files, and generated ones |
 //! | [`setup`] | where light and receiver stand: defaults, and scene files |
+//! | [`ambient`] | ambient occlusion and light from an environment, at vertices |
 //! | [`shadows`] | soft shadows of area lights: hidden-sample sets |
 //! | [`queries`] | granular visibility queries: pixels seen of every instance, in every tile |
 //! | [`image`] | the visible share as PNG and EXR |
@@ -15,6 +16,7 @@
 //! The program `sightlines` is this crate's `main.rs`, behind the feature `cli` (on by default); the library needs
 //! neither a backend nor a command line.
 
+pub mod ambient;
 pub mod error;
 pub mod image;
 pub mod output;

@@ -17,6 +17,7 @@ fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Shadows(args) => program::shadows::run(&args, out),
         Command::Queries(args) => program::queries::run(&args, out),
+        Command::Ambient(args) => program::ambient::run(&args, out),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

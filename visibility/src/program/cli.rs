@@ -7,6 +7,7 @@ use sightlines_visibility::image::Depth;
 use sightlines_visibility::scene::Generator;
 use sightlines_visibility::setup::{Settings, Up};
 
+use super::ambient::{self, args::AmbientArgs};
 use super::queries::{QUERIES_HELP, QueriesArgs};
 
 const AFTER_HELP: &str = "\
@@ -54,6 +55,9 @@ pub(crate) enum Command {
     /// Count the pixels that are seen of every instance, and where.
     #[command(after_help = AFTER_HELP, after_long_help = format!("{QUERIES_HELP}\n\n{AFTER_HELP}"))]
     Queries(QueriesArgs),
+    /// Shade a scene by what its vertices see of an environment.
+    #[command(after_help = AFTER_HELP, after_long_help = format!("{}\n\n{AFTER_HELP}", ambient::args::HELP))]
+    Ambient(AmbientArgs),
 }
 
 /// Arguments of `sightlines shadows`.
@@ -162,13 +166,19 @@ pub(crate) enum Axis {
     Z,
 }
 
+impl From<Axis> for Up {
+    fn from(axis: Axis) -> Self {
+        match axis {
+            Axis::Y => Up::Y,
+            Axis::Z => Up::Z,
+        }
+    }
+}
+
 impl ShadowsArgs {
     pub(crate) fn settings(&self) -> Settings {
         Settings {
-            up: self.up.map(|axis| match axis {
-                Axis::Y => Up::Y,
-                Axis::Z => Up::Z,
-            }),
+            up: self.up.map(Up::from),
             light_size: self.light_size,
             resolution: self.resolution,
             samples: self.samples,
@@ -176,7 +186,8 @@ impl ShadowsArgs {
     }
 }
 
-fn generator(name: &str) -> Result<Generator, String> {
+/// A generated scene by name.
+pub(crate) fn generator(name: &str) -> Result<Generator, String> {
     let names = || Generator::ALL.map(Generator::name).join(", ");
     Generator::from_name(name).ok_or_else(|| format!("choose one of {}", names()))
 }
@@ -201,6 +212,8 @@ mod tests {
             "queries a.glb --camera front --camera 1,2,3/0,0,0/60 --tiles 3 --json a.json --heat a.png",
             "queries --scene crowd-100 --method sat --channels 8 --size 640x480 --path a.txt --seen a.seen",
             "queries --scene hall --camera -1,2,-3/0,0,0 --orbit 8 --clusters 4 --csv a.csv --backend cpu",
+            "ambient a.ply -o a.glb -o b.ply --matrix a.occl --resume --level 6 --environment sky.hdr --rotate -30 --blur 2",
+            "ambient --scene palms --healpix 3 --bias 4 --weights equal --white 2 --gamma 1 --up z --counts",
         ] {
             assert!(parse(good).is_ok(), "{good}");
         }
@@ -219,6 +232,10 @@ mod tests {
             "queries a.obj --size 0x4",
             "queries --scene crowd-0",
             "queries a.obj --tiles 9",
+            "ambient a.obj --level 7",
+            "ambient a.obj --level 2 --healpix 2",
+            "ambient a.obj --resume",
+            "ambient a.obj --bias -1",
         ] {
             assert!(parse(bad).is_err(), "{bad}");
         }

@@ -1,5 +1,6 @@
 //! What the program does beside the library: its command line, the choice of a machine, progress and reports.
 
+pub(crate) mod ambient;
 pub(crate) mod cli;
 mod machine;
 mod progress;

@@ -1,0 +1,196 @@
+//! `sightlines ambient`: a scene in, the same scene shaded by what its vertices see of an environment out.
+
+pub(crate) mod args;
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use sightlines_backend::{Backend, Counts};
+use sightlines_kernels::illumination::gamma_table;
+use sightlines_visibility::ambient::file::Stored;
+use sightlines_visibility::ambient::matrix::Work;
+use sightlines_visibility::ambient::{Colours, Environment, Matrix, Sphere, Surface, export};
+use sightlines_visibility::error::Place;
+use sightlines_visibility::scene::Scene;
+use sightlines_visibility::{Result, scene};
+
+use self::args::AmbientArgs;
+use super::progress::Progress;
+use super::{Failure, machine, targets};
+
+/// Blocks after which a matrix on the way is written.
+const CHECKPOINT: u32 = 16;
+
+/// Bakes, writes and reports.
+pub(crate) fn run(args: &AmbientArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    args.check()?;
+    let outputs = outputs(args)?;
+    let scene = load(args)?;
+    let (environment, is_white) = args.environment()?;
+    let surface = Surface::new(&scene)?;
+    let backend = machine::open(&args.machine, args.counts)?;
+    describe(&scene, &surface, out)?;
+    let start = Instant::now();
+    let mut matrix = Matrix::open(&*backend, &surface, args.sphere(), args.bias)?;
+    let resumed = compute(args, &surface, &mut matrix)?;
+    let time = start.elapsed();
+    let shaded = shade(args, &*backend, &mut matrix, (&environment, is_white))?;
+    for path in &outputs {
+        match extension(path).as_deref() {
+            Some("ply") => export::write_ply(path, &surface, &shaded.bytes)?,
+            _ => export::write_glb(path, &surface, &shaded.colours, shaded.white)?,
+        }
+    }
+    let sphere = args.sphere();
+    if resumed > 0 {
+        writeln!(out, "resumed    {resumed} of {} directions were there", sphere.count())?;
+    }
+    writeln!(out, "lights     {sphere}, a bias of {} cells", args.bias)?;
+    writeln!(out, "grid       cells of {:.3e} scene units", surface.cell)?;
+    writeln!(out, "backend    {}", machine::describe(&backend.info()))?;
+    writeln!(out, "time       {:.3} s for the visibility", time.as_secs_f64())?;
+    conclude(&shaded, out)?;
+    if args.counts {
+        count(&matrix.work(), &surface, sphere, out)?;
+    }
+    let paths = outputs.iter().chain(&args.matrix);
+    paths.into_iter().try_for_each(|path| writeln!(out, "wrote      {}", path.display()))?;
+    Ok(())
+}
+
+fn load(args: &AmbientArgs) -> Result<Scene> {
+    match (&args.source.model, args.source.scene) {
+        (Some(model), _) => scene::load(model),
+        (None, generator) => Ok(scene::generate(generator.unwrap_or(scene::Generator::Palms))),
+    }
+}
+
+fn extension(path: &Path) -> Option<String> {
+    path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase())
+}
+
+/// The files to write, refused where they cannot be written, are one file, or would replace what is read.
+fn outputs(args: &AmbientArgs) -> Result<Vec<PathBuf>> {
+    let mut outputs = args.output.clone();
+    if outputs.is_empty() && args.matrix.is_none() {
+        outputs.push("ambient.glb".into());
+    }
+    for path in &outputs {
+        if !matches!(extension(path).as_deref(), Some("glb" | "ply")) {
+            return Err(Place::file(path).error("neither .glb nor .ply", "name a file with one of these extensions"));
+        }
+    }
+    let read = args.source.model.iter().chain(Some(&args.environment).filter(|path| path.exists()));
+    targets::check(read.map(PathBuf::as_path), outputs.iter().chain(&args.matrix).map(PathBuf::as_path))?;
+    Ok(outputs)
+}
+
+/// Brings the matrix to its last direction, by way of the file; the answer is how many directions were there.
+fn compute(args: &AmbientArgs, surface: &Surface, matrix: &mut Matrix<'_>) -> Result<u32> {
+    let sphere = args.sphere();
+    if let Some(path) = args.matrix.as_ref().filter(|path| args.resume && path.exists()) {
+        let stored = Stored::read(path)?;
+        stored.check(path, surface, sphere, args.bias)?;
+        matrix.restore(stored.done, &stored.words)?;
+    }
+    let resumed = matrix.done();
+    let progress = Progress::new(format!("{} directions", sphere.count()));
+    let save = |matrix: &mut Matrix<'_>| {
+        let write = |path: &PathBuf| Stored::of(matrix, surface, sphere, args.bias)?.write(path);
+        args.matrix.as_ref().map_or(Ok(()), write)
+    };
+    let mut blocks = 0;
+    for target in sphere.refinements() {
+        let mut grown = false;
+        while matrix.advance(target)? {
+            grown = true;
+            blocks += 1;
+            progress.show(matrix.done() as f32 / sphere.count() as f32);
+            if blocks % CHECKPOINT == 0 {
+                save(matrix)?;
+            }
+        }
+        if grown || target == sphere {
+            save(matrix)?;
+        }
+    }
+    Ok(resumed)
+}
+
+/// Colours of all vertices.
+struct Shaded {
+    colours: Colours,
+    bytes: Vec<[u8; 3]>,
+    white: f64,
+    lost: [u32; 3],
+}
+
+fn shade(
+    args: &AmbientArgs,
+    backend: &dyn Backend,
+    matrix: &mut Matrix<'_>,
+    (environment, is_white): (&Environment, bool),
+) -> Result<Shaded> {
+    let intensities = environment.look_up(backend, args.sphere(), &args.lighting())?;
+    let (mut colours, mut bytes) = (Colours::new(), Vec::new());
+    matrix.light(&intensities, &mut colours)?;
+    let white = args.white.unwrap_or_else(|| if is_white { 1.0 } else { exposure(&colours) });
+    matrix.encode(&gamma_table(args.gamma, white)?, &mut bytes)?;
+    Ok(Shaded { colours, bytes, white, lost: intensities.lost })
+}
+
+/// What 98 of 100 vertices stay below.
+fn exposure(colours: &Colours) -> f64 {
+    let mut brightest: Vec<f32> = colours.iter().map(|c| c[0].max(c[1]).max(c[2])).collect();
+    brightest.sort_unstable_by(f32::total_cmp);
+    let at = brightest.len().saturating_sub(1) * 98 / 100;
+    brightest.get(at).map_or(1.0, |&white| if white > 1e-6 { f64::from(white) } else { 1.0 })
+}
+
+fn describe(scene: &Scene, surface: &Surface, out: &mut dyn Write) -> Result<(), Failure> {
+    let (parts, triangles) = (scene.parts.len(), scene.triangle_count());
+    writeln!(out, "scene      {}: {triangles} triangles in {parts} parts", scene.name)?;
+    let (vertices, positions) = (surface.vertices.len(), surface.positions());
+    writeln!(out, "mesh       {vertices} vertices at {positions} positions, {} flat triangles", surface.findings.flat)?;
+    let computed = surface.findings.computed_normals;
+    let source = match computed {
+        0 => "from the file".to_owned(),
+        _ if computed == vertices => "computed, as the file has none".to_owned(),
+        _ => format!("from the file, but computed for {computed} vertices"),
+    };
+    writeln!(out, "normals    {source}")?;
+    if surface.findings.open_edges > 0 {
+        let edges = surface.findings.open_edges;
+        writeln!(out, "open       {edges} edges have no triangle on one side: light passes there")?;
+    }
+    Ok(out.flush()?)
+}
+
+fn conclude(shaded: &Shaded, out: &mut dyn Write) -> Result<(), Failure> {
+    let count = shaded.colours.len().max(1) as f64;
+    let sum = |channel: usize| shaded.colours.iter().map(|colour| f64::from(colour[channel])).sum::<f64>();
+    let [red, green, blue] = [0, 1, 2].map(|channel| sum(channel) / count);
+    writeln!(out, "colour     ({red:.6}, {green:.6}, {blue:.6}) in the mean, {:.6} is white", shaded.white)?;
+    if shaded.lost != [0; 3] {
+        let [red, green, blue] = shaded.lost;
+        writeln!(out, "range      {red} red, {green} green, {blue} blue texels are too dark beside the brightest")?;
+    }
+    Ok(())
+}
+
+/// The work in numbers that do not depend on how fast the machine is.
+fn count(work: &Work, surface: &Surface, sphere: Sphere, out: &mut dyn Write) -> Result<(), Failure> {
+    let pairs = u64::from(surface.positions()) * u64::from(sphere.count());
+    writeln!(out, "pairs      {pairs} of a position and a direction")?;
+    match work.lane_ops {
+        Some(ops) => writeln!(out, "lane-ops   {ops}, {:.1} a pair", ops as f64 / pairs.max(1) as f64)?,
+        None => writeln!(out, "lane-ops   not counted: only the interpreter has them")?,
+    }
+    if let Some(counts) = work.counts {
+        let Counts { invocations, loads, stores, bytes, atomics, barriers } = counts;
+        writeln!(out, "work       {invocations} invocations, {barriers} barriers")?;
+        writeln!(out, "memory     {loads} loads, {stores} stores, {atomics} atomics, {bytes} bytes")?;
+    }
+    Ok(())
+}
