@@ -25,6 +25,7 @@ pub(super) fn all() -> Vec<Case> {
         small("no_area", || (flat_triangles(), level(2)), 0),
         small("equal_areas", || (soup(120, 8, 12_000, 200), healpix(1)), 0),
         small("floor_below", || (over_a_floor(), level(2)), 1),
+        small("crowd_in_a_bin", || (crowd(), level(0)), 0),
         small("closed", || (octasphere(7, |d| 9000.0 + 4000.0 * d[0] * d[1]), level(2)), 1),
         small("closed_on_small_grid", || (octasphere(8, |_| 20.0), level(2)), 1),
         welded("welded", 120, 9),
@@ -174,6 +175,15 @@ pub(super) fn bumpy(n: i32) -> Mesh {
         let waves = libm::sin(9.0 * x + 2.0 * y) + libm::sin(8.0 * y - 3.0 * z) + libm::sin(7.0 * z + 4.0 * x);
         11_000.0 + 1500.0 * waves
     })
+}
+
+/// More vertices in one bin than a launch tests with a triangle, most of them behind two triangles.
+fn crowd() -> Mesh {
+    let far = 16_000;
+    let mut vertices = vec![[-far, -far, 900], [far, -far, 1000], [-far, far, 800], [-far, 7, -far], [far, 30, -far]];
+    vertices.push([60, 20, far]);
+    vertices.extend((0..64_000).map(|i| [i % 40, i / 40 % 40, i / 1600]));
+    Mesh { vertices, triangles: vec![[0, 1, 2], [3, 4, 5]] }
 }
 
 /// Every triangle with corners of its own, many at equal positions.

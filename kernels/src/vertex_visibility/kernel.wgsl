@@ -14,16 +14,19 @@
 
 import package::shared::wide::{add64, dot64, imul_wide, neg64, sgn64, sub64, umul_hi, umul_wide};
 
-/// Triangles of a workgroup.
-const GROUP: u32 = 64u;
-/// A triangle over more bins is shared by all lanes of its workgroup.
-const LARGE: u32 = 192u;
+/// Parts of triangles of a workgroup.
+const GROUP: u32 = 256u;
+/// Classes of parts by the number of vertices under their boxes; a power of four.
+const CLASSES: u32 = 64u;
+/// Zeros below the first class: three times the longest reach of a step of their prefix sums.
+const BELOW: u32 = 48u;
 /// Larger than every error: nothing is decided by f32.
 const UNDECIDED: f32 = 1267650600228229401496703205376.0;
 
 struct Params {
     vertices: u32,
-    triangles: u32,
+    /// Parts of triangles.
+    parts: u32,
     /// Logarithm of the number of bins along X.
     column_bits: u32,
     /// Logarithm of the number of bins.
@@ -38,6 +41,13 @@ struct Params {
     bias: u32,
     /// Word of the first vertex.
     row: u32,
+    /// Rows of bins of a part.
+    rows: u32,
+    /// Vertices under each part's box that earlier launches have met, and the most that this one meets.
+    skip: u32,
+    most: u32,
+    /// Workgroups of the launch.
+    launch: u32,
 }
 
 /// A pair of opposite directions, the plane across them and its bins.
@@ -66,20 +76,29 @@ struct Frame {
 @group(0) @binding(1) var<storage, read> frames: array<Frame>;
 /// All x, then all y, then all z.
 @group(0) @binding(2) var<storage, read> vertices: array<i32>;
+/// Vertices of every bin, from the second word on.
 @group(0) @binding(3) var<storage, read_write> counts: array<atomic<u32>>;
-/// First place of every bin; after `place`, the place behind its last.
+/// From the second word on, first place of every bin; after `place`, the place behind its last. The first word stays 0.
 @group(0) @binding(4) var<storage, read_write> cursors: array<atomic<u32>>;
 /// X, Y, w and number of every vertex, bin by bin.
 @group(0) @binding(5) var<storage, read_write> placed: array<vec4<i32>>;
-/// x of all first corners, y of all first corners, …, z of all third corners.
+/// x of all parts' first corners, y of all first corners, …, z of all third corners.
 @group(0) @binding(6) var<storage, read> corners: array<i32>;
-@group(0) @binding(7) var<storage, read> ends: array<u32>;
+/// First place of every bin, and the place behind the last.
+@group(0) @binding(7) var<storage, read> starts: array<u32>;
 @group(0) @binding(8) var<storage, read> points: array<vec4<i32>>;
 @group(0) @binding(9) var<storage, read_write> occluded: array<atomic<u32>>;
-/// Numbers of all first corners, then of all second and third ones.
+/// Numbers of all parts' first corners, then of all second and third ones; then, for a triangle in one part, how many of its
+/// corners are vertices, else 4 and more for its parts.
 @group(0) @binding(10) var<storage, read> numbers: array<u32>;
+/// Workgroups that the launches after the first need: all or none.
+@group(0) @binding(11) var<storage, read_write> more: array<atomic<u32>>;
 
-var<workgroup> large: array<atomic<u32>, 2>;
+var<workgroup> sizes: array<atomic<u32>, CLASSES>;
+/// Two sides, as a step of prefix sums reads one and writes the other.
+var<workgroup> ladder: array<u32, 2u * (CLASSES + BELOW)>;
+/// Parts with vertices under their boxes, those with few first.
+var<workgroup> order: array<u32, GROUP>;
 
 fn axis_of(frame: Frame, place: u32) -> u32 {
     let axis = frame.axis + place;
@@ -93,12 +112,12 @@ fn vertex_at(frame: Frame, i: u32) -> vec3<i32> {
         vertices[axis_of(frame, 2u) * n + i]);
 }
 
-/// (u, v, w) of a triangle's corner.
-fn corner_at(frame: Frame, triangle: u32, corner: u32) -> vec3<i32> {
-    let n = params.triangles;
+/// (u, v, w) of the corner of a part's triangle.
+fn corner_at(frame: Frame, part: u32, corner: u32) -> vec3<i32> {
+    let n = params.parts;
     let first = 3u * corner;
-    return vec3<i32>(corners[(first + axis_of(frame, 0u)) * n + triangle], corners[(first + axis_of(frame, 1u)) * n + triangle],
-        corners[(first + axis_of(frame, 2u)) * n + triangle]);
+    return vec3<i32>(corners[(first + axis_of(frame, 0u)) * n + part], corners[(first + axis_of(frame, 1u)) * n + part],
+        corners[(first + axis_of(frame, 2u)) * n + part]);
 }
 
 /// (X, Y, w) of a point (u, v, w).
@@ -127,7 +146,7 @@ fn count(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_inde
         return;
     }
     let frame = frames[params.pair + pair];
-    atomicAdd(&counts[bin_of(frame, pair, flatten(frame, vertex_at(frame, i)))], 1u);
+    atomicAdd(&counts[bin_of(frame, pair, flatten(frame, vertex_at(frame, i))) + 1u], 1u);
 }
 
 /// allow(atomic-result): the order of vertices within a bin cannot show, as each is tested by itself
@@ -141,7 +160,7 @@ fn place(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_inde
     }
     let frame = frames[params.pair + pair];
     let p = flatten(frame, vertex_at(frame, i));
-    let slot = atomicAdd(&cursors[bin_of(frame, pair, p)], 1u);
+    let slot = atomicAdd(&cursors[bin_of(frame, pair, p) + 1u], 1u);
     placed[slot] = vec4<i32>(p, bitcast<i32>(i));
 }
 
@@ -157,7 +176,7 @@ struct Face {
     high: f32,
 }
 
-/// Columns and rows of bins that a triangle's box meets; more rows than none only if it is not edge-on.
+/// Columns and rows of bins that the box of a triangle, or of a part of it, meets.
 struct Region {
     columns: vec2<u32>,
     rows: vec2<u32>,
@@ -236,15 +255,15 @@ fn scaled(v: vec2<u32>, k: u32) -> vec2<u32> {
     return vec2<u32>(low.x, low.y + v.y * k);
 }
 
-/// 1 if the triangle hides the vertex towards the forward direction, -1 if towards its opposite, 0 if neither.
+/// 1 if the part's triangle hides the vertex towards the forward direction, -1 if towards its opposite, 0 if neither.
 ///
 /// Differences are below 2^15, so normals are below 2^31, `rise` below 2^48 and its product with d.w below 2^62; d . n is
 /// below 2^45, and its product with the bias below 2^60.
-fn exact_side(frame: Frame, triangle: u32, vertex: u32) -> i32 {
+fn exact_side(frame: Frame, part: u32, vertex: u32) -> i32 {
     let v = vertex_at(frame, vertex);
-    let a = corner_at(frame, triangle, 0u) - v;
-    let b = corner_at(frame, triangle, 1u) - v;
-    let c = corner_at(frame, triangle, 2u) - v;
+    let a = corner_at(frame, part, 0u) - v;
+    let b = corner_at(frame, part, 1u) - v;
+    let c = corner_at(frame, part, 2u) - v;
     let side = edge_side(frame, a, b);
     if ((side == 0) | (side != edge_side(frame, b, c)) | (side != edge_side(frame, c, a))) {
         return 0;
@@ -260,14 +279,14 @@ fn exact_side(frame: Frame, triangle: u32, vertex: u32) -> i32 {
     return select(select(0, -1, backward), 1, forward);
 }
 
-/// Whether a vertex is a corner of a triangle, which then cannot hide it: most doubts are of this kind.
-fn is_corner(triangle: u32, vertex: u32) -> bool {
-    let n = params.triangles;
-    return (vertex == numbers[triangle]) | (vertex == numbers[n + triangle]) | (vertex == numbers[2u * n + triangle]);
+/// Whether a vertex is a corner of a part's triangle, which then cannot hide it: most doubts are of this kind.
+fn is_corner(part: u32, vertex: u32) -> bool {
+    let n = params.parts;
+    return (vertex == numbers[part]) | (vertex == numbers[n + part]) | (vertex == numbers[2u * n + part]);
 }
 
 /// float: filter - what `slack`, `low` and `high` leave in doubt is decided by `exact_side`
-fn test(frame: Frame, face: Face, triangle: u32, at: u32) {
+fn test(frame: Frame, face: Face, part: u32, at: u32) {
     let p = points[at];
     let x = f32(p.x - face.origin.x);
     let y = f32(p.y - face.origin.y);
@@ -280,8 +299,8 @@ fn test(frame: Frame, face: Face, triangle: u32, at: u32) {
         var side = select(-1, 1, ahead > 0.0);
         if (!((inner > face.slack) & (distance > face.high))) {
             side = 0;
-            if (!is_corner(triangle, bitcast<u32>(p.w))) {
-                side = exact_side(frame, triangle, bitcast<u32>(p.w));
+            if (!is_corner(part, bitcast<u32>(p.w))) {
+                side = exact_side(frame, part, bitcast<u32>(p.w));
             }
         }
         if (side != 0) {
@@ -291,82 +310,157 @@ fn test(frame: Frame, face: Face, triangle: u32, at: u32) {
     }
 }
 
-/// First place of a bin.
-fn start_of(bin: u32) -> u32 {
-    return select(ends[max(bin, 1u) - 1u], 0u, bin == 0u);
+/// Corners of a part in (X, Y, w).
+struct Corners {
+    a: vec3<i32>,
+    b: vec3<i32>,
+    c: vec3<i32>,
 }
 
-/// One lane tests all vertices under a triangle.
-fn sweep(frame: Frame, face: Face, region: Region, pair: u32, triangle: u32) {
-    let first = (pair << params.bin_bits) + region.columns.x;
-    let width = region.columns.y - region.columns.x;
-    var row = region.rows.x;
-    var at = start_of(first + (row << params.column_bits));
-    var end = ends[first + (row << params.column_bits) + width];
-    while (row <= region.rows.y) {
-        if (at < end) {
-            test(frame, face, triangle, at);
-            at += 1u;
-        }
-        if (at >= end) {
-            row += 1u;
-            if (row <= region.rows.y) {
-                at = start_of(first + (row << params.column_bits));
-                end = ends[first + (row << params.column_bits) + width];
-            }
-        }
+fn corners_of(frame: Frame, part: u32) -> Corners {
+    return Corners(flatten(frame, corner_at(frame, part, 0u)), flatten(frame, corner_at(frame, part, 1u)),
+        flatten(frame, corner_at(frame, part, 2u)));
+}
+
+/// Bins under a part: of a triangle in several parts, `params.rows` rows each.
+fn bins_of(frame: Frame, part: u32, corners: Corners) -> Region {
+    let region = region_of(frame, corners.a, corners.b, corners.c);
+    let number = numbers[3u * params.parts + part];
+    if (number < 4u) {
+        return region;
     }
+    let row = region.rows.x + (number - 4u) * params.rows;
+    return Region(region.columns, vec2<u32>(row, min(region.rows.y, row + params.rows - 1u)), region.span);
 }
 
-/// All lanes test the vertices under a triangle, each every GROUP-th.
-fn share(frame: Frame, face: Face, region: Region, pair: u32, triangle: u32, lane: u32) {
+/// How many vertices are in bins under a part; none if they are no more than its own corners.
+fn vertices_under(region: Region, pair: u32, part: u32) -> u32 {
     let first = (pair << params.bin_bits) + region.columns.x;
-    let width = region.columns.y - region.columns.x;
+    let width = region.columns.y - region.columns.x + 1u;
+    var sum = 0u;
     for (var row = region.rows.x; row <= region.rows.y; row += 1u) {
         let bin = first + (row << params.column_bits);
-        let end = ends[bin + width];
-        for (var at = start_of(bin) + lane; at < end; at += GROUP) {
-            test(frame, face, triangle, at);
+        sum += starts[bin + width] - starts[bin];
+    }
+    let corners = numbers[3u * params.parts + part];
+    return select(sum, 0u, (corners < 4u) & (sum == corners));
+}
+
+/// A class that grows with a number from 1 on: exact below 16, then four classes to each doubling.
+fn class_of(count: u32) -> u32 {
+    let top = firstLeadingBit(max(count, 16u));
+    let wide = 4u * top + ((count >> (top - 2u)) & 3u);
+    return min(select(wide, count, count < 16u), CLASSES - 1u);
+}
+
+/// Sum over `4 * reach` classes up to `lane`, from sums over `reach` classes each.
+fn class_step(lane: u32, side: u32, reach: u32, sum: u32) -> u32 {
+    let place = side * (CLASSES + BELOW) + BELOW + lane;
+    if (lane < CLASSES) {
+        ladder[place] = sum;
+    }
+    workgroupBarrier();
+    if (lane < CLASSES) {
+        return sum + ladder[place - reach] + ladder[place - 2u * reach] + ladder[place - 3u * reach];
+    }
+    return 0u;
+}
+
+/// Puts the workgroup's parts in order, so that neighbouring lanes have about as many vertices to test; the number of those
+/// that have any. A part that has none gives 0.
+/// allow(atomic-result): the order of parts within a class cannot show, as each is tested by itself
+fn sort_parts(lane: u32, part: u32, count: u32) -> u32 {
+    let size = class_of(count);
+    if (lane < BELOW) {
+        ladder[lane] = 0u;
+        ladder[lane + CLASSES + BELOW] = 0u;
+    }
+    workgroupBarrier();
+    if (count != 0u) {
+        atomicAdd(&sizes[size], 1u);
+    }
+    workgroupBarrier();
+    var own = 0u;
+    if (lane < CLASSES) {
+        own = atomicLoad(&sizes[lane]);
+    }
+    var sum = class_step(lane, 0u, 1u, own);
+    sum = class_step(lane, 1u, 4u, sum);
+    sum = class_step(lane, 0u, 16u, sum);
+    if (lane < CLASSES) {
+        atomicStore(&sizes[lane], sum - own);
+        ladder[CLASSES + BELOW + BELOW + lane] = sum;
+    }
+    workgroupBarrier();
+    if (count != 0u) {
+        order[atomicAdd(&sizes[size], 1u)] = part;
+    }
+    workgroupBarrier();
+    return ladder[2u * (CLASSES + BELOW) - 1u];
+}
+
+/// One lane tests the vertices under a part, from number `params.skip` on and at most `params.most`.
+fn sweep(frame: Frame, face: Face, region: Region, pair: u32, part: u32) {
+    let first = (pair << params.bin_bits) + region.columns.x;
+    let width = region.columns.y - region.columns.x + 1u;
+    var row = region.rows.x;
+    var at = 0u;
+    var end = 0u;
+    var skip = params.skip;
+    var left = params.most;
+    while ((at < end) | (row <= region.rows.y)) {
+        if (at == end) {
+            let bin = first + (row << params.column_bits);
+            at = starts[bin];
+            end = starts[bin + width];
+            let met = min(skip, end - at);
+            at += met;
+            skip -= met;
+            end = min(end, at + left);
+            left -= end - at;
+            row += 1u;
+        }
+        if (at < end) {
+            test(frame, face, part, at);
+            at += 1u;
         }
     }
+}
+
+/// Occlusion by the parts of one workgroup; whether one of them has more vertices than this launch meets.
+fn occlude_group(number: u32, lane: u32) -> bool {
+    let pair = number / params.groups;
+    let mine = (number - pair * params.groups) * GROUP + lane;
+    let frame = frames[params.pair + pair];
+    var count = 0u;
+    if (mine < params.parts) {
+        count = vertices_under(bins_of(frame, mine, corners_of(frame, mine)), pair, mine);
+    }
+    let busy = sort_parts(lane, mine, select(0u, count, count > params.skip));
+    if (lane < busy) {
+        let part = order[lane];
+        let corners = corners_of(frame, part);
+        let region = bins_of(frame, part, corners);
+        var edge_on = false;
+        if (is_thin(corners.a, corners.b, corners.c)) {
+            edge_on = is_edge_on(corners.a, corners.b, corners.c);
+        }
+        if (!edge_on) {
+            sweep(frame, prepare(frame, corners.a, corners.b, corners.c, region.span), region, pair, part);
+        }
+    }
+    return count > params.skip + params.most;
 }
 
 @compute @workgroup_size(GROUP)
 fn occlude(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    let number = params.first + group.x;
-    let pair = number / params.groups;
-    let first = (number - pair * params.groups) * GROUP;
-    let frame = frames[params.pair + pair];
-    let triangle = first + lane;
-    if (triangle < params.triangles) {
-        let a = flatten(frame, corner_at(frame, triangle, 0u));
-        let b = flatten(frame, corner_at(frame, triangle, 1u));
-        let c = flatten(frame, corner_at(frame, triangle, 2u));
-        let region = region_of(frame, a, b, c);
-        let bins = (region.columns.y - region.columns.x + 1u) * (region.rows.y - region.rows.x + 1u);
-        var edge_on = false;
-        if (is_thin(a, b, c)) {
-            edge_on = is_edge_on(a, b, c);
-        }
-        if (!edge_on) {
-            if (bins > LARGE) {
-                atomicOr(&large[lane >> 5u], 1u << (lane & 31u));
-            } else {
-                sweep(frame, prepare(frame, a, b, c, region.span), region, pair, triangle);
-            }
-        }
+    if (occlude_group(params.first + group.x, lane)) {
+        atomicMax(&more[0], params.launch);
     }
-    workgroupBarrier();
-    for (var word = 0u; word < GROUP / 32u; word += 1u) {
-        var left = atomicLoad(&large[word]);
-        while (left != 0u) {
-            let wide = first + 32u * word + firstTrailingBit(left);
-            left &= left - 1u;
-            let a = flatten(frame, corner_at(frame, wide, 0u));
-            let b = flatten(frame, corner_at(frame, wide, 1u));
-            let c = flatten(frame, corner_at(frame, wide, 2u));
-            let region = region_of(frame, a, b, c);
-            share(frame, prepare(frame, a, b, c, region.span), region, pair, wide, lane);
-        }
-    }
+}
+
+/// The same for vertices that `occlude` has left: launched as often as there could be any, with workgroups if there are.
+@compute @workgroup_size(GROUP)
+fn occlude_rest(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    occlude_group(params.first + group.x, lane);
 }

@@ -5,11 +5,12 @@
 //! directions makes one word of every vertex: count vertices a bin, scan, place them, and let each triangle test those
 //! under it. Invariant: bits are set by OR, so neither the order of vertices in their bins nor that of triangles can show.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use glam::IVec4;
 use sightlines_backend::host::{Bindings, Buffer};
-use sightlines_backend::{Command, Error, Job, Kernel, Program, Result, bindings, host};
+use sightlines_backend::{Command, Error, Groups, Job, Kernel, Program, ProgramId, Result, bindings, host};
 
 use crate::light_sphere::oracle::Direction;
 use crate::pieces;
@@ -19,10 +20,12 @@ mod cases;
 mod frame;
 mod mesh;
 pub mod oracle;
+mod resident;
 mod shapes;
 
 pub use frame::{Frame, MAX_LENGTH};
 pub use mesh::{MAX_TRIANGLES, MAX_VERTICES, Mesh};
+pub use resident::Resident;
 pub use shapes::octasphere;
 
 /// This kernel in the registry.
@@ -37,8 +40,12 @@ pub const KERNEL: Kernel = Kernel {
 /// Vertices of a workgroup of `count` and `place`.
 const VERTICES: u32 = 256;
 
-/// Triangles of a workgroup of `occlude`.
-const TRIANGLES: u32 = 64;
+/// Parts of triangles of a workgroup of `occlude`.
+const PARTS: u32 = 256;
+
+/// Most vertices that one launch tests with a part: with two turns for each of its rows, an invocation's loops stay below
+/// 65,535 turns.
+const MOST: u32 = 60_000;
 
 /// Most pairs of directions at a time: they fill a word.
 const BATCH: u32 = 16;
@@ -54,8 +61,8 @@ host! {
     pub struct Params {
         /// Number of vertices.
         pub vertices: u32,
-        /// Number of triangles.
-        pub triangles: u32,
+        /// Number of parts of triangles.
+        pub parts: u32,
         /// Logarithm of the number of bins along X.
         pub column_bits: u32,
         /// Logarithm of the number of bins.
@@ -70,6 +77,14 @@ host! {
         pub bias: u32,
         /// Word of the first vertex.
         pub row: u32,
+        /// Rows of bins of a part.
+        pub rows: u32,
+        /// Vertices under each part that earlier launches have met.
+        pub skip: u32,
+        /// Most vertices under a part that this launch meets.
+        pub most: u32,
+        /// Workgroups of the launch.
+        pub launch: u32,
     }
 }
 
@@ -97,72 +112,23 @@ bindings! {
         read frames @ 1: [Frame],
         read vertices @ 2: [i32],
         read corners @ 6: [i32],
-        read ends @ 7: [u32],
+        read starts @ 7: [u32],
         read points @ 8: [IVec4],
         write occluded @ 9: [u32],
         read numbers @ 10: [u32],
-    }
-}
-
-/// A mesh on the device.
-#[derive(Clone, Copy, Debug)]
-pub struct Resident {
-    vertices: Buffer<[i32]>,
-    corners: Buffer<[i32]>,
-    numbers: Buffer<[u32]>,
-    counts: [u32; 2],
-    bounds: [oracle::Point; 2],
-    coverage: f64,
-}
-
-impl Resident {
-    /// Uploads a mesh.
-    pub fn upload(job: &mut Job, mesh: &Mesh) -> Result<Self> {
-        let all: Vec<u32> = (0..mesh.vertices.len() as u32).collect();
-        Self::upload_some(job, mesh, &all)
+        write more @ 11: [u32],
     }
 
-    /// Uploads a mesh of which only the vertices `chosen`, each at most once, are asked about, in that order: vertex v of
-    /// the bits is vertex `chosen[v]` of the mesh. All triangles occlude.
-    pub fn upload_some(job: &mut Job, mesh: &Mesh, chosen: &[u32]) -> Result<Self> {
-        mesh.check()?;
-        // A corner that is not asked about has a number that no vertex has.
-        let mut number = vec![u32::MAX; mesh.vertices.len()];
-        for (place, &vertex) in (0..).zip(chosen) {
-            match number.get_mut(vertex as usize) {
-                Some(free) if *free == u32::MAX => *free = place,
-                _ => {
-                    let what = format!("vertex {vertex} of {} is asked about", mesh.vertices.len());
-                    return Err(Error::refused(what, "choose vertices that are there, each at most once"));
-                }
-            }
-        }
-        let points: Vec<oracle::Point> = chosen.iter().map(|&vertex| mesh.vertices[vertex as usize]).collect();
-        let axes = |points: &[oracle::Point]| -> Vec<i32> {
-            (0..3).flat_map(|axis| points.iter().map(move |p| p[axis])).collect()
-        };
-        let corner =
-            |k: usize| -> Vec<oracle::Point> { mesh.triangles.iter().map(|t| mesh.vertices[t[k] as usize]).collect() };
-        // A binding holds at least one element.
-        let or_zero = |words: Vec<i32>| if words.is_empty() { vec![0] } else { words };
-        let vertices = or_zero(axes(&points));
-        let corners = or_zero((0..3).flat_map(|k| axes(&corner(k))).collect());
-        let number = &number;
-        let numbers: Vec<u32> =
-            (0..3).flat_map(|k| mesh.triangles.iter().map(move |t| number[t[k] as usize])).collect();
-        Ok(Resident {
-            vertices: job.slice("vertices", &vertices),
-            corners: job.slice("corners", &corners),
-            numbers: job.slice("corner numbers", if numbers.is_empty() { &[0] } else { &numbers[..] }),
-            counts: [chosen.len() as u32, mesh.triangles.len() as u32],
-            bounds: mesh.bounds(),
-            coverage: mesh.coverage(),
-        })
-    }
-
-    /// Number of vertices.
-    pub fn vertices(&self) -> u32 {
-        self.counts[0]
+    /// What `occlude_rest` is given.
+    pub struct OccludeRest {
+        uniform params @ 0: Params,
+        read frames @ 1: [Frame],
+        read vertices @ 2: [i32],
+        read corners @ 6: [i32],
+        read starts @ 7: [u32],
+        read points @ 8: [IVec4],
+        write occluded @ 9: [u32],
+        read numbers @ 10: [u32],
     }
 }
 
@@ -175,7 +141,8 @@ pub fn words(vertices: u32, directions: u32) -> u64 {
 #[derive(Clone, Copy, Debug)]
 struct Plan {
     vertices: u32,
-    triangles: u32,
+    parts: u32,
+    rows: u32,
     column_bits: u32,
     bin_bits: u32,
     /// Pairs at a time: a power of two up to [`BATCH`].
@@ -187,20 +154,34 @@ struct Plan {
 
 impl Plan {
     fn new(mesh: &Resident, bias: u32) -> Self {
-        let [vertices, triangles] = mesh.counts;
-        let row_bits = vertices.max(4).ilog2() / 2 + 1;
+        let Resident { positions: vertices, parts, rows, row_bits, .. } = *mesh;
         let bin_bits = 2 * row_bits + COLUMNS_PER_ROW;
-        let most = (MAX_VERTICES / vertices.max(1)).min((1 << 25) >> bin_bits).clamp(1, BATCH);
+        let most = (MAX_VERTICES / vertices.max(1)).min((1 << 24) >> bin_bits).clamp(1, BATCH);
         // Boxes are larger where the view is oblique: twice the average over the axes.
         let under = 2.0 * mesh.coverage * f64::from(vertices);
-        let work = u64::from(TRIANGLES) * (24 + 8 * under as u64);
-        let batch = 1 << most.ilog2();
-        Plan { vertices, triangles, column_bits: row_bits + COLUMNS_PER_ROW, bin_bits, batch, bias, work }
+        let work = u64::from(PARTS) * (64 + 8 * under as u64);
+        let column_bits = row_bits + COLUMNS_PER_ROW;
+        Plan { vertices, parts, rows, column_bits, bin_bits, batch: 1 << most.ilog2(), bias, work }
     }
 
-    fn params(&self, pair: u32, groups: u32, first: u32) -> Params {
-        let Plan { vertices, triangles, column_bits, bin_bits, bias, .. } = *self;
-        Params { vertices, triangles, column_bits, bin_bits, pair, groups, first, bias, row: pair / BATCH * vertices }
+    fn params(&self, pair: u32, groups: u32, piece: &Range<u32>, skip: u32) -> Params {
+        let Plan { vertices, parts, rows, column_bits, bin_bits, bias, .. } = *self;
+        let (first, launch, row) = (piece.start, piece.len() as u32, pair / BATCH * vertices);
+        Params {
+            vertices,
+            parts,
+            column_bits,
+            bin_bits,
+            pair,
+            groups,
+            first,
+            bias,
+            row,
+            rows,
+            skip,
+            most: MOST,
+            launch,
+        }
     }
 }
 
@@ -217,6 +198,7 @@ impl VertexVisibility {
         Count::check(&program, "count")?;
         Place::check(&program, "place")?;
         Occlude::check(&program, "occlude")?;
+        OccludeRest::check(&program, "occlude_rest")?;
         Ok(VertexVisibility { program, scan: Scan::new()? })
     }
 
@@ -241,51 +223,77 @@ impl VertexVisibility {
             return Ok(());
         }
         let plan = Plan::new(mesh, bias);
-        let row_bits = plan.bin_bits - plan.column_bits;
+        let row_bits = mesh.row_bits;
         let frame = |(pair, d): (u32, &[Direction])| Frame::new(pair, d[0], mesh.bounds, plan.column_bits, row_bits);
         let frames: Vec<Frame> = (0..).zip(directions.chunks(2)).map(frame).collect();
-        let frames = (frames.len() as u32, job.slice("frames", &frames));
-        self.record_batches(job, mesh, plan, frames, occluded)
-    }
-
-    fn record_batches(
-        &self,
-        job: &mut Job,
-        mesh: &Resident,
-        plan: Plan,
-        (pairs, frames): (u32, Buffer<[Frame]>),
-        occluded: Buffer<[u32]>,
-    ) -> Result<()> {
-        let counts = job.zeroed("bin counts", u64::from(plan.batch) << plan.bin_bits);
-        let ends = job.zeroed("bin ends", counts.len());
-        let points = job.zeroed("binned vertices", u64::from(plan.batch) * u64::from(plan.vertices.max(1)));
-        let program = job.program(&self.program);
-        let vertices = mesh.vertices;
+        let pairs = frames.len() as u32;
+        let work = Work {
+            frames: job.slice("frames", &frames),
+            // The scan takes multiples of four words.
+            bins: [(); 2].map(|()| job.zeroed("bins", (u64::from(plan.batch) << plan.bin_bits) + 4)),
+            points: job.zeroed("binned vertices", u64::from(plan.batch) * u64::from(plan.vertices.max(1))),
+            occluded,
+        };
         for pair in (0..pairs).step_by(plan.batch as usize) {
-            let batch = plan.batch.min(pairs - pair);
-            let bins = batch << plan.bin_bits;
-            if pair > 0 {
-                job.record(Command::Clear { buffer: counts.id(), offset: 0, size: counts.len() * 4 });
-            }
-            let groups = plan.vertices.div_ceil(VERTICES).max(1);
-            pieces::record(job, batch * groups, u64::from(8 * VERTICES), |job, piece| {
-                let params = job.value("count params", &plan.params(pair, groups, piece.start));
-                job.launch(program, "count", &Count { params, frames, vertices, counts }, [piece.len() as u32, 1, 1]);
-            });
-            self.scan.record(job, Kind::Exclusive, bins, counts, ends)?;
-            pieces::record(job, batch * groups, u64::from(16 * VERTICES), |job, piece| {
-                let params = job.value("place params", &plan.params(pair, groups, piece.start));
-                let bound = Place { params, frames, vertices, cursors: ends, placed: points };
-                job.launch(program, "place", &bound, [piece.len() as u32, 1, 1]);
-            });
-            let groups = plan.triangles.div_ceil(TRIANGLES).max(1);
-            pieces::record(job, batch * groups, plan.work, |job, piece| {
-                let params = job.value("occlude params", &plan.params(pair, groups, piece.start));
-                let Resident { corners, numbers, .. } = *mesh;
-                let bound = Occlude { params, frames, vertices, corners, ends, points, occluded, numbers };
-                job.launch(program, "occlude", &bound, [piece.len() as u32, 1, 1]);
-            });
+            self.record_batch(job, mesh, plan, pair..pairs.min(pair + plan.batch), &work)?;
         }
         Ok(())
+    }
+
+    fn record_batch(&self, job: &mut Job, mesh: &Resident, plan: Plan, pairs: Range<u32>, work: &Work) -> Result<()> {
+        let Work { frames, bins: [counts, starts], points, .. } = *work;
+        let Resident { vertices, .. } = *mesh;
+        let program = job.program(&self.program);
+        let (pair, batch) = (pairs.start, pairs.len() as u32);
+        if pair > 0 {
+            job.record(Command::Clear { buffer: counts.id(), offset: 0, size: counts.len() * 4 });
+        }
+        let groups = plan.vertices.div_ceil(VERTICES).max(1);
+        pieces::record(job, batch * groups, u64::from(8 * VERTICES), |job, piece| {
+            let params = job.value("count params", &plan.params(pair, groups, &piece, 0));
+            job.launch(program, "count", &Count { params, frames, vertices, counts }, [piece.len() as u32, 1, 1]);
+        });
+        self.scan.record(job, Kind::Exclusive, (batch << plan.bin_bits) + 1, counts, starts)?;
+        pieces::record(job, batch * groups, u64::from(16 * VERTICES), |job, piece| {
+            let params = job.value("place params", &plan.params(pair, groups, &piece, 0));
+            let bound = Place { params, frames, vertices, cursors: starts, placed: points };
+            job.launch(program, "place", &bound, [piece.len() as u32, 1, 1]);
+        });
+        let groups = plan.parts.div_ceil(PARTS).max(1);
+        pieces::record(job, batch * groups, plan.work, |job, piece| {
+            record_occlude(job, program, mesh, plan, work, (pair, groups, piece));
+        });
+        Ok(())
+    }
+}
+
+/// Buffers of one recording.
+struct Work {
+    frames: Buffer<[Frame]>,
+    /// Counts of vertices, and where bins start.
+    bins: [Buffer<[u32]>; 2],
+    points: Buffer<[IVec4]>,
+    occluded: Buffer<[u32]>,
+}
+
+/// A launch of `occlude`, and those that take what it leaves: as many as there could be, but none runs without need.
+fn record_occlude(
+    job: &mut Job,
+    program: ProgramId,
+    mesh: &Resident,
+    plan: Plan,
+    work: &Work,
+    (pair, groups, piece): (u32, u32, Range<u32>),
+) {
+    let Resident { vertices, corners, numbers, .. } = *mesh;
+    let Work { frames, bins: [_, starts], points, occluded } = *work;
+    let more = job.slice("groups of the rest", &[0_u32, 1, 1]);
+    let params = job.value("occlude params", &plan.params(pair, groups, &piece, 0));
+    let bound = Occlude { params, frames, vertices, corners, starts, points, occluded, numbers, more };
+    job.launch(program, "occlude", &bound, [piece.len() as u32, 1, 1]);
+    for skip in (MOST..plan.vertices).step_by(MOST as usize) {
+        let params = job.value("rest params", &plan.params(pair, groups, &piece, skip));
+        let bound = OccludeRest { params, frames, vertices, corners, starts, points, occluded, numbers };
+        job.launch_with(program, "occlude_rest", &bound, &[], Groups::Indirect { buffer: more.id(), offset: 0 });
     }
 }
