@@ -159,7 +159,7 @@ impl Plan {
         let most = (MAX_VERTICES / vertices.max(1)).min((1 << 24) >> bin_bits).clamp(1, BATCH);
         // Boxes are larger where the view is oblique: twice the average over the axes.
         let under = 2.0 * mesh.coverage * f64::from(vertices);
-        let work = u64::from(PARTS) * (64 + 8 * under as u64);
+        let work = u64::from(PARTS) * (32 + 8 * under as u64);
         let column_bits = row_bits + COLUMNS_PER_ROW;
         Plan { vertices, parts, rows, column_bits, bin_bits, batch: 1 << most.ilog2(), bias, work }
     }
