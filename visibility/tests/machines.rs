@@ -1,4 +1,4 @@
-//! One scene, one file: `sightlines shadows` writes the same bytes on every machine.
+//! One scene, one file: `sightlines` writes the same bytes on every machine.
 //!
 //! Test names read `machine/scene`. The reference is the interpreter on one thread; it is compared with two threads, with
 //! every SIMD level that this host has, and with every adapter. Without an adapter those tests report themselves as
@@ -18,23 +18,51 @@ use sightlines_visibility::setup::{Settings, Setup};
 use sightlines_visibility::shadows::bake;
 use sightlines_visibility::{Result, sets};
 
-/// A scene by name, with its resolution and samples.
+/// A scene by name, and what is made of it.
 #[derive(Clone, Copy)]
 struct Subject {
     name: &'static str,
-    resolution: u32,
-    samples: u32,
+    work: Work,
 }
 
-const SUBJECTS: [Subject; 3] = [
-    Subject { name: "palms", resolution: 32, samples: 1024 },
-    Subject { name: "box", resolution: 64, samples: 32 },
-    Subject { name: "model.gltf", resolution: 57, samples: 256 },
+#[derive(Clone, Copy)]
+enum Work {
+    /// `sightlines shadows`.
+    Shadows { resolution: u32, samples: u32 },
+    /// `sightlines ambient`, with these options.
+    Ambient { options: &'static [&'static str], names: &'static [&'static str] },
+}
+
+const SUBJECTS: [Subject; 6] = [
+    Subject { name: "palms", work: Work::Shadows { resolution: 32, samples: 1024 } },
+    Subject { name: "box", work: Work::Shadows { resolution: 64, samples: 32 } },
+    Subject { name: "model.gltf", work: Work::Shadows { resolution: 57, samples: 256 } },
+    Subject {
+        name: "colonnade",
+        work: Work::Ambient {
+            options: &["--level", "3", "--environment", "sky", "--rotate", "50", "--size", "96x64"],
+            names: &["a.glb", "a.ply", "a.occl", "a.png"],
+        },
+    },
+    Subject {
+        name: "bumpy-2000",
+        work: Work::Ambient {
+            options: &["--healpix", "1", "--lazy", "--orbit", "2", "--size", "96x64"],
+            names: &["a.0.png", "a.1.png"],
+        },
+    },
+    Subject {
+        name: "cloth",
+        work: Work::Ambient {
+            options: &["--level", "1", "--frames", "2", "--size", "96x64"],
+            names: &["a.0.png", "a.1.png"],
+        },
+    },
 ];
 
-/// PNG, EXR and sets.
-type Files = [Vec<u8>; 3];
+type Files = Vec<Vec<u8>>;
 
+/// PNG, EXR and sets.
 const NAMES: [&str; 3] = ["a.png", "a.exr", "a.sets"];
 
 /// Two instances of a triangle, one of them scaled, turned and moved into the floor.
@@ -51,25 +79,52 @@ const MODEL: &str = r#"{
 const VERTICES: [f32; 9] = [-0.5, -0.3, 0.0, 0.7, 0.1, -0.4, 0.0, 0.6, 0.5];
 
 impl Subject {
+    /// The files that it makes.
+    fn names(self) -> &'static [&'static str] {
+        match self.work {
+            Work::Shadows { .. } => &NAMES,
+            Work::Ambient { names, .. } => names,
+        }
+    }
+
     /// The arguments that name it, in a folder that then holds what they need.
     fn arguments(self, folder: &Path) -> Result<Vec<String>, Failed> {
+        match self.work {
+            Work::Shadows { resolution, samples } => self.shadows(folder, resolution, samples),
+            Work::Ambient { options, names } => Ok(self.ambient(options, names)),
+        }
+    }
+
+    fn ambient(self, options: &[&'static str], names: &[&'static str]) -> Vec<String> {
+        let source = if self.name == "cloth" { "--motion" } else { "--scene" };
+        let output = |name: &&'static str| match name.rsplit('.').next() {
+            Some("glb" | "ply") => vec!["-o", name],
+            Some("occl") => vec!["--matrix", name],
+            _ => vec![],
+        };
+        let outputs: Vec<&str> = names.iter().flat_map(output).collect();
+        let all = [&["ambient", source, self.name, "--picture", "a.png"], options, &outputs].concat();
+        all.into_iter().map(str::to_owned).collect()
+    }
+
+    fn shadows(self, folder: &Path, resolution: u32, samples: u32) -> Result<Vec<String>, Failed> {
         let model = self.name.ends_with(".gltf");
         if model {
             std::fs::write(folder.join(self.name), MODEL)?;
             std::fs::write(folder.join("model.bin"), VERTICES.map(f32::to_le_bytes).concat())?;
         }
         let scene = if model { vec![self.name] } else { vec!["--scene", self.name] };
-        let (resolution, samples) = (self.resolution.to_string(), self.samples.to_string());
+        let (resolution, samples) = (resolution.to_string(), samples.to_string());
         let size = ["--resolution", &resolution, "--samples", &samples];
         let outputs = ["-o", NAMES[0], "--exr", NAMES[1], "--sets", NAMES[2]];
-        Ok([&scene[..], &size, &outputs].concat().into_iter().map(str::to_owned).collect())
+        Ok([&["shadows"], &scene[..], &size, &outputs].concat().into_iter().map(str::to_owned).collect())
     }
 
     /// What the program writes on a machine, whose line of the report must name `shown`.
     fn files(self, machine: &[&str], shown: &str) -> Result<Files, Failed> {
         let folder = tempfile::tempdir()?;
         let mut command = Command::new(env!("CARGO_BIN_EXE_sightlines"));
-        command.arg("shadows").args(self.arguments(folder.path())?).args(machine).current_dir(folder.path());
+        command.args(self.arguments(folder.path())?).args(machine).current_dir(folder.path());
         let output = command.output()?;
         let (report, errors) = (String::from_utf8(output.stdout)?, String::from_utf8(output.stderr)?);
         if !output.status.success() {
@@ -79,16 +134,16 @@ impl Subject {
         if !ran.contains(shown) {
             return Err(format!("`{shown}` was asked for, and this ran: {ran}").into());
         }
-        read(folder.path())
+        read(folder.path(), self.names())
     }
 
-    /// What the library writes on an interpreter of one SIMD level.
-    fn files_at(self, simd: Simd) -> Result<Files, Failed> {
+    /// What the library writes of a shadow on an interpreter of one SIMD level.
+    fn files_at(self, simd: Simd, resolution: u32, samples: u32) -> Result<Files, Failed> {
         let folder = tempfile::tempdir()?;
-        self.arguments(folder.path())?;
+        self.shadows(folder.path(), resolution, samples)?;
         let setup = Setup::new(
             self.scene(folder.path())?,
-            &Settings { resolution: Some(self.resolution), samples: Some(self.samples), ..Settings::default() },
+            &Settings { resolution: Some(resolution), samples: Some(samples), ..Settings::default() },
         )?;
         let machine = CpuBackend::new(Config { simd: Some(simd), ..Config::default() });
         if machine.simd() != simd {
@@ -100,7 +155,7 @@ impl Subject {
         write_png(&png, &share, Depth::Eight)?;
         write_exr(&exr, &share)?;
         sets::write(&sets, &baked.sets)?;
-        read(folder.path())
+        read(folder.path(), &NAMES)
     }
 
     fn scene(self, folder: &Path) -> Result<Scene> {
@@ -108,9 +163,8 @@ impl Subject {
     }
 }
 
-fn read(folder: &Path) -> Result<Files, Failed> {
-    let [png, exr, sets] = NAMES.map(|name| std::fs::read(folder.join(name)));
-    Ok([png?, exr?, sets?])
+fn read(folder: &Path, names: &[&str]) -> Result<Files, Failed> {
+    Ok(names.iter().map(|name| std::fs::read(folder.join(name))).collect::<Result<_, _>>()?)
 }
 
 /// The files of one interpreter on one thread, made by the first test that asks.
@@ -120,7 +174,7 @@ impl Reference {
     fn equals(&self, files: &Files) -> Result<(), Failed> {
         let make = || self.0.files(&["--backend", "cpu", "--threads", "1"], "1 thread");
         let reference = self.1.get_or_init(|| make().map_err(|e| e.message().unwrap_or_default().to_owned()));
-        for (name, (expected, found)) in NAMES.iter().zip(reference.as_ref()?.iter().zip(files)) {
+        for (name, (expected, found)) in self.0.names().iter().zip(reference.as_ref()?.iter().zip(files)) {
             if expected != found {
                 let at = expected.iter().zip(found).take_while(|(a, b)| a == b).count();
                 return Err(format!("{name} differs from the interpreter's at byte {at} of {}", expected.len()).into());
@@ -145,8 +199,10 @@ fn main() -> ExitCode {
             "threads_2",
             Box::new(move || subject.files(&["--backend", "cpu", "--threads", "2"], "2 threads")),
         ));
-        for simd in Simd::available() {
-            trials.push(trial(simd.name(), Box::new(move || subject.files_at(simd))));
+        if let Work::Shadows { resolution, samples } = subject.work {
+            for simd in Simd::available() {
+                trials.push(trial(simd.name(), Box::new(move || subject.files_at(simd, resolution, samples))));
+            }
         }
         if adapters.is_empty() {
             trials.push(ignored("none", subject, "no adapter: wgpu is not tested".to_owned()));

@@ -8,15 +8,19 @@
 pub mod environment;
 pub mod export;
 pub mod file;
+pub mod lazy;
 mod map;
 pub mod matrix;
 mod part;
+pub mod picture;
 mod radiance;
 pub mod sphere;
 mod stage;
 pub mod surface;
 
 pub use environment::{Environment, Intensities, Lighting};
+pub use lazy::Lazy;
 pub use matrix::{Colours, Matrix};
+pub use picture::View;
 pub use sphere::{Sphere, Weighting};
 pub use surface::Surface;

@@ -2,6 +2,8 @@
 
 use sightlines_kernels::light_sphere::{self, oracle::Direction};
 
+use super::surface::Surface;
+
 /// A set of directions over the whole sphere, opposite ones next to each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sphere {
@@ -63,6 +65,15 @@ impl Sphere {
             Sphere::Octahedron { level } => (0..=level).map(|level| Sphere::Octahedron { level }).collect(),
             Sphere::Healpix { .. } => vec![self],
         }
+    }
+
+    /// The finest of its refinements whose cost for a mesh is within `budget`, or the coarsest: directions times positions
+    /// and triangles, all of which each direction visits. The same numbers give the same level on every machine.
+    pub fn within(self, budget: u64, surface: &Surface) -> Sphere {
+        let each = u64::from(surface.positions()) + surface.mesh.triangles.len() as u64;
+        let refinements = self.refinements();
+        let fits = |sphere: &&Sphere| u64::from(sphere.count()) * each <= budget;
+        refinements.iter().rev().find(fits).copied().unwrap_or(refinements[0])
     }
 
     /// Mean angle between neighbours, in radians: that between centres of squares of the directions' area.

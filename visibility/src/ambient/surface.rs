@@ -35,6 +35,8 @@ pub struct Surface {
     pub parts: Vec<Part>,
     /// Side of a cell of the grid, in scene units.
     pub cell: f64,
+    /// The point of the scene at the origin of the grid.
+    pub centre: [f64; 3],
     /// What was found.
     pub findings: Findings,
 }
@@ -88,12 +90,21 @@ impl Surface {
         };
         let normals = given.iter().zip(&position_of).map(normal).collect();
         let findings = Findings { computed_normals, open_edges: open_edges(&mesh), flat: flat(&mesh) };
-        Ok(Surface { mesh, vertices, normals, position_of, parts, cell, findings })
+        Ok(Surface { mesh, vertices, normals, position_of, parts, cell, centre: bounds.centre, findings })
     }
 
     /// Number of positions.
     pub fn positions(&self) -> u32 {
         self.mesh.vertices.len() as u32
+    }
+
+    /// Corners of the box of all positions, in scene units.
+    pub fn corners(&self) -> [[f64; 3]; 8] {
+        let points = || self.mesh.vertices.iter();
+        let range = |axis: usize| [points().map(|p| p[axis]).min(), points().map(|p| p[axis]).max()];
+        let sides = [0, 1, 2].map(|axis| range(axis).map(|side| f64::from(side.unwrap_or(0))));
+        let corner = |bits: usize| [0, 1, 2].map(|axis| self.centre[axis] + self.cell * sides[axis][bits >> axis & 1]);
+        [0, 1, 2, 3, 4, 5, 6, 7].map(corner)
     }
 
     /// What the occlusion of this surface depends on: positions and triangles.

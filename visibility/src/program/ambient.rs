@@ -1,6 +1,8 @@
 //! `sightlines ambient`: a scene in, the same scene shaded by what its vertices see of an environment out.
 
 pub(crate) mod args;
+mod frames;
+mod pictures;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -10,12 +12,13 @@ use sightlines_backend::{Backend, Counts};
 use sightlines_kernels::illumination::gamma_table;
 use sightlines_visibility::ambient::file::Stored;
 use sightlines_visibility::ambient::matrix::Work;
-use sightlines_visibility::ambient::{Colours, Environment, Matrix, Sphere, Surface, export};
+use sightlines_visibility::ambient::{Colours, Environment, Matrix, Sphere, Surface, View, export};
 use sightlines_visibility::error::Place;
 use sightlines_visibility::scene::Scene;
 use sightlines_visibility::{Result, scene};
 
 use self::args::AmbientArgs;
+use self::frames::Frames;
 use super::progress::Progress;
 use super::{Failure, machine, targets};
 
@@ -26,43 +29,59 @@ const CHECKPOINT: u32 = 16;
 pub(crate) fn run(args: &AmbientArgs, out: &mut dyn Write) -> Result<(), Failure> {
     args.check()?;
     let outputs = outputs(args)?;
-    let scene = load(args)?;
-    let (environment, is_white) = args.environment()?;
+    let frames = Frames::new(args)?;
+    let scene = frames.as_ref().map_or_else(|| load(args), |frames| frames.at(0))?;
+    let environment = args.environment()?;
+    let light = (&environment.0, environment.1);
     let surface = Surface::new(&scene)?;
+    let cameras = pictures::cameras(args, &scene.bounds())?;
+    check_targets(args, outputs.iter().chain(&args.matrix).chain(cameras.iter().map(|(_, path)| path)))?;
     let backend = machine::open(&args.machine, args.counts)?;
     describe(&scene, &surface, out)?;
+    writeln!(out, "lights     {}, a bias of {} cells", args.sphere(), args.bias)?;
+    writeln!(out, "grid       cells of {:.3e} scene units", surface.cell)?;
+    writeln!(out, "backend    {}", machine::describe(&backend.info()))?;
+    out.flush()?;
+    if let Some(frames) = frames {
+        return frames.run(args, &*backend, &cameras, light, out);
+    }
+    if args.lazy {
+        return pictures::lazily(args, &*backend, &surface, &cameras, light, out);
+    }
     let start = Instant::now();
     let mut matrix = Matrix::open(&*backend, &surface, args.sphere(), args.bias)?;
     let resumed = compute(args, &surface, &mut matrix)?;
     let time = start.elapsed();
-    let shaded = shade(args, &*backend, &mut matrix, (&environment, is_white))?;
+    let shaded = shade(args, &*backend, &mut matrix, light)?;
     for path in &outputs {
         match extension(path).as_deref() {
             Some("ply") => export::write_ply(path, &surface, &shaded.bytes)?,
             _ => export::write_glb(path, &surface, &shaded.colours, shaded.white)?,
         }
     }
-    let sphere = args.sphere();
-    if resumed > 0 {
-        writeln!(out, "resumed    {resumed} of {} directions were there", sphere.count())?;
+    for (camera, path) in &cameras {
+        let view = View::new(&*backend, &surface, camera, args.size)?;
+        pictures::write(args, (&view, path), &surface, (&shaded.colours, shaded.white))?;
     }
-    writeln!(out, "lights     {sphere}, a bias of {} cells", args.bias)?;
-    writeln!(out, "grid       cells of {:.3e} scene units", surface.cell)?;
-    writeln!(out, "backend    {}", machine::describe(&backend.info()))?;
+    if resumed > 0 {
+        writeln!(out, "resumed    {resumed} of {} directions were there", args.sphere().count())?;
+    }
     writeln!(out, "time       {:.3} s for the visibility", time.as_secs_f64())?;
     conclude(&shaded, out)?;
     if args.counts {
-        count(&matrix.work(), &surface, sphere, out)?;
+        count(&matrix.work(), &surface, args.sphere(), out)?;
     }
-    let paths = outputs.iter().chain(&args.matrix);
+    let paths = outputs.iter().chain(&args.matrix).chain(cameras.iter().map(|(_, path)| path));
     paths.into_iter().try_for_each(|path| writeln!(out, "wrote      {}", path.display()))?;
     Ok(())
 }
 
 fn load(args: &AmbientArgs) -> Result<Scene> {
-    match (&args.source.model, args.source.scene) {
-        (Some(model), _) => scene::load(model),
-        (None, generator) => Ok(scene::generate(generator.unwrap_or(scene::Generator::Palms))),
+    match (&args.source.model, &args.source.motion, &args.source.scene) {
+        (Some(model), ..) => scene::load(model),
+        (None, Some(motion), _) => motion.at(0.0),
+        (None, None, Some(world)) => Ok(world.flatten()),
+        (None, None, None) => unreachable!("the command line asks for one of the three"),
     }
 }
 
@@ -70,20 +89,22 @@ fn extension(path: &Path) -> Option<String> {
     path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase())
 }
 
-/// The files to write, refused where they cannot be written, are one file, or would replace what is read.
+/// The shaded scenes to write.
 fn outputs(args: &AmbientArgs) -> Result<Vec<PathBuf>> {
     let mut outputs = args.output.clone();
-    if outputs.is_empty() && args.matrix.is_none() {
+    if outputs.is_empty() && args.matrix.is_none() && args.picture.is_none() {
         outputs.push("ambient.glb".into());
     }
-    for path in &outputs {
-        if !matches!(extension(path).as_deref(), Some("glb" | "ply")) {
-            return Err(Place::file(path).error("neither .glb nor .ply", "name a file with one of these extensions"));
-        }
+    match outputs.iter().find(|path| !matches!(extension(path).as_deref(), Some("glb" | "ply"))) {
+        Some(path) => Err(Place::file(path).error("neither .glb nor .ply", "name a file with one of these extensions")),
+        None => Ok(outputs),
     }
+}
+
+/// Refuses targets that cannot be written, are one file, or would replace what is read.
+fn check_targets<'a>(args: &'a AmbientArgs, targets: impl Iterator<Item = &'a PathBuf>) -> Result<()> {
     let read = args.source.model.iter().chain(Some(&args.environment).filter(|path| path.exists()));
-    targets::check(read.map(PathBuf::as_path), outputs.iter().chain(&args.matrix).map(PathBuf::as_path))?;
-    Ok(outputs)
+    targets::check(read.map(PathBuf::as_path), targets.map(PathBuf::as_path))
 }
 
 /// Brings the matrix to its last direction, by way of the file; the answer is how many directions were there.

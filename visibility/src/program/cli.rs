@@ -213,6 +213,8 @@ mod tests {
             "queries --scene crowd-100 --method sat --channels 8 --size 640x480 --path a.txt --seen a.seen",
             "queries --scene hall --camera -1,2,-3/0,0,0 --orbit 8 --clusters 4 --csv a.csv --backend cpu",
             "ambient a.ply -o a.glb -o b.ply --matrix a.occl --resume --level 6 --environment sky.hdr --rotate -30 --blur 2",
+            "ambient a.glb --picture a.png --camera -4,3,6/0,1,0/60 --orbit 12 --size 320x200 --lazy --threshold 100",
+            "ambient --motion skeleton --picture a.png --frames 24 --budget 100",
             "ambient --scene palms --healpix 3 --bias 4 --weights equal --white 2 --gamma 1 --up z --counts",
         ] {
             assert!(parse(good).is_ok(), "{good}");
@@ -236,6 +238,11 @@ mod tests {
             "ambient a.obj --level 2 --healpix 2",
             "ambient a.obj --resume",
             "ambient a.obj --bias -1",
+            "ambient a.obj --orbit 3",
+            "ambient a.obj --picture a.png --lazy --matrix a.occl",
+            "ambient a.obj --picture a.png --budget 3",
+            "ambient --motion dance",
+            "ambient a.obj --frames 3",
         ] {
             assert!(parse(bad).is_err(), "{bad}");
         }

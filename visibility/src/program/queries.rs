@@ -108,11 +108,13 @@ enum MethodName {
     Sat,
 }
 
-fn world(name: &str) -> Result<World, String> {
-    generate_world(name).ok_or_else(|| "choose crowd-1 to crowd-2000, hall, palms, box, quads or colonnade".to_owned())
+/// A generated world by name.
+pub(crate) fn world(name: &str) -> Result<World, String> {
+    let names = "choose crowd-1 to crowd-2000, bumpy-24 to bumpy-2000000, hall, trio, palms, box, quads or colonnade";
+    generate_world(name).ok_or_else(|| names.to_owned())
 }
 
-fn size(words: &str) -> Result<Picture, String> {
+pub(crate) fn size(words: &str) -> Result<Picture, String> {
     let sides = words.split_once('x').and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
     let fits = |side: u32| (1..=Picture::MAX_SIDE).contains(&side);
     let (width, height) = sides

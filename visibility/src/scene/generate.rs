@@ -5,13 +5,15 @@
 
 mod bumpy;
 mod crowd;
+mod moving;
 mod palms;
 mod shapes;
 
 use super::{Mesh, Scene, World};
 
-pub use bumpy::bumpy_sphere;
+pub use bumpy::{MAX_BUMPY, bumpy_sphere, trio};
 pub use crowd::{MAX_BALLS, creature_in_hall, crowd};
+pub(super) use moving::{cloth, skeleton};
 
 /// A scene by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,11 +59,17 @@ pub fn generate(generator: Generator) -> Scene {
     Scene { name: generator.name().to_owned(), units: "metres", parts }
 }
 
-/// A scene with instances and cameras by name: `hall`, `crowd-100` and the like up to [`MAX_BALLS`], or a
-/// [`Generator`].
+/// A scene with instances and cameras by name: `hall`, `trio`, `crowd-100` and the like up to [`MAX_BALLS`],
+/// `bumpy-2000` and the like up to [`MAX_BUMPY`] triangles, or a [`Generator`].
 pub fn generate_world(name: &str) -> Option<World> {
-    if name == "hall" {
-        return Some(creature_in_hall());
+    match name {
+        "hall" => return Some(creature_in_hall()),
+        "trio" => return Some(World::of(trio())),
+        _ => {}
+    }
+    let triangles = name.strip_prefix("bumpy-").and_then(|count| count.parse().ok());
+    if let Some(count) = triangles.filter(|count| (24..=MAX_BUMPY).contains(count)) {
+        return Some(World::of(bumpy_sphere(count)));
     }
     let balls = name.strip_prefix("crowd-").and_then(|count| count.parse().ok());
     let crowd = balls.filter(|count| (1..=MAX_BALLS).contains(count)).map(crowd);

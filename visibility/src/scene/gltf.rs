@@ -16,8 +16,10 @@ use crate::error::{Place, Result};
 use crate::vector::{add, cross, length, scale};
 
 mod accessor;
+mod animation;
 
 use accessor::Buffers;
+pub use animation::Animated;
 
 const REMEDY: &str = "export the scene again";
 

@@ -10,6 +10,7 @@ pub mod frame;
 mod generate;
 mod gltf;
 mod load;
+mod motion;
 mod obj;
 mod ply;
 mod polygon;
@@ -23,8 +24,12 @@ use crate::vector::{self, Vector, add, cross, scale, sub};
 
 pub use affine::Affine;
 pub use camera::{Camera, Lens};
-pub use generate::{Generator, MAX_BALLS, bumpy_sphere, creature_in_hall, crowd, generate, generate_world};
+pub use generate::{
+    Generator, MAX_BALLS, MAX_BUMPY, bumpy_sphere, creature_in_hall, crowd, generate, generate_world, trio,
+};
+pub use gltf::Animated;
 pub use load::{load, load_world, read_text};
+pub use motion::Motion;
 pub use world::{Instance, World};
 
 /// Largest file that is read, in bytes.
@@ -49,6 +54,19 @@ pub struct Mesh {
     pub normals: Vec<[f64; 3]>,
     /// Three vertices each.
     pub triangles: Vec<[u32; 3]>,
+}
+
+impl Mesh {
+    /// The mesh in other coordinates. Where the map mirrors, triangles are turned round, so that fronts stay in front.
+    pub(crate) fn moved(&self, by: &Affine) -> Mesh {
+        let turned = |t: &[u32; 3]| if by.mirrors() { [t[0], t[2], t[1]] } else { *t };
+        Mesh {
+            name: self.name.clone(),
+            vertices: self.vertices.iter().map(|v| by.apply(*v)).collect(),
+            triangles: self.triangles.iter().map(turned).collect(),
+            normals: self.normals.iter().map(|n| by.normal(*n)).collect(),
+        }
+    }
 }
 
 /// What casts shadows.

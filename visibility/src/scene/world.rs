@@ -52,15 +52,9 @@ impl World {
     /// A copy of its mesh for every instance, in the coordinates of the scene; where a transform mirrors, triangles are
     /// turned round, so that their fronts stay in front.
     pub fn flatten(&self) -> Scene {
-        let part = |Instance { name, mesh, transform }: &Instance| {
-            let Mesh { vertices, triangles, normals, .. } = &self.meshes[*mesh];
-            let turned = |t: &[u32; 3]| if transform.mirrors() { [t[0], t[2], t[1]] } else { *t };
-            Mesh {
-                name: name.clone(),
-                vertices: vertices.iter().map(|v| transform.apply(*v)).collect(),
-                triangles: triangles.iter().map(turned).collect(),
-                normals: normals.iter().map(|n| transform.normal(*n)).collect(),
-            }
+        let part = |Instance { name, mesh, transform }: &Instance| Mesh {
+            name: name.clone(),
+            ..self.meshes[*mesh].moved(transform)
         };
         Scene { name: self.name.clone(), units: self.units, parts: self.instances.iter().map(part).collect() }
     }

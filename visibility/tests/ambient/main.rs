@@ -4,6 +4,7 @@ mod files;
 mod light;
 mod matrix;
 mod program;
+mod views;
 
 use sightlines_backend_cpu::{Bounds, Config, CpuBackend};
 use sightlines_visibility::ambient::{Matrix, Sphere, Surface};

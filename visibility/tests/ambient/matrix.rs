@@ -1,5 +1,6 @@
 //! The matrix is what the definition says, however it came about.
 
+use sightlines_backend_cpu::{Config, CpuBackend, Simd};
 use sightlines_kernels::random;
 use sightlines_kernels::vertex_visibility::oracle::word;
 use sightlines_visibility::ambient::file::Stored;
@@ -102,6 +103,19 @@ fn a_matrix_that_was_interrupted_anywhere_goes_on_to_the_same_end() {
         finish(&mut second, LEVEL_3);
         assert!(second.words().unwrap() == whole, "after {blocks} blocks");
         assert!(second.restore(258, &stored.words[1..]).is_err());
+    }
+}
+
+#[test]
+fn neither_threads_nor_simd_show() {
+    let surface = surface(Generator::Quads);
+    let expected = words(&surface, LEVEL_2, 1);
+    let levels = Simd::available().into_iter().map(|simd| Config { simd: Some(simd), ..Config::default() });
+    for config in levels.chain([Config { threads: 3, ..Config::default() }]) {
+        let machine = CpuBackend::new(config);
+        let mut matrix = Matrix::open(&machine, &surface, LEVEL_2, 1).unwrap();
+        finish(&mut matrix, LEVEL_2);
+        assert!(matrix.words().unwrap() == expected, "{}", machine.simd().name());
     }
 }
 

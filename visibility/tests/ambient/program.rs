@@ -172,3 +172,39 @@ fn bad_input_is_named_and_nothing_is_written() {
     let report = folder.report("open.obj --backend cpu --level 0 -o a.ply");
     assert_eq!(line(&report, "open "), "3 edges have no triangle on one side: light passes there");
 }
+
+#[test]
+fn pictures_are_taken_along_an_orbit_whole_or_lazily() {
+    let folder = Folder::new();
+    let line = "--scene colonnade --backend cpu --level 1 --orbit 3 --size 80x60";
+    let report = folder.report(&format!("{line} --picture a.png"));
+    assert!(report.ends_with("wrote      a.0.png\nwrote      a.1.png\nwrote      a.2.png\n"), "{report}");
+    let report = folder.report(&format!("{line} --picture b.png --lazy --threshold 0"));
+    let looks: Vec<&str> = report.lines().filter_map(|line| line.strip_prefix("picture ")).collect();
+    assert_eq!(looks.len(), 3);
+    assert!(looks[0].trim().starts_with("b.0.png: ") && looks[0].ends_with(" positions"), "{}", looks[0]);
+    for number in 0..3 {
+        let [whole, lazy] = ["a", "b"].map(|name| folder.read(&format!("{name}.{number}.png")));
+        assert!(whole == lazy, "picture {number}");
+    }
+    assert!(folder.read("a.0.png") != folder.read("a.1.png"));
+    assert_eq!(folder.names().len(), 6);
+}
+
+#[test]
+fn frames_of_a_motion_keep_to_their_budget() {
+    let folder = Folder::new();
+    // 3,249 positions and 6,272 triangles: 18 directions cost 171,378.
+    let report =
+        folder.report("--motion cloth --backend cpu --level 2 --frames 3 --size 80x60 --budget 1 --picture a.png");
+    let frames: Vec<&str> = report.lines().filter_map(|line| line.strip_prefix("frame ")).map(str::trim).collect();
+    let expected = [0, 1, 2].map(|n| format!("a.{n}.png: 3249 positions, octahedron level 2: 66 directions"));
+    assert_eq!(frames, expected);
+    let report =
+        folder.report("--motion cloth --backend cpu --level 2 --frames 1 --size 80x60 --budget 0 --picture b.png");
+    assert!(report.contains("octahedron level 0: 6 directions"), "{report}");
+    let pictures = [0, 1, 2].map(|n| folder.read(&format!("a.{n}.png")));
+    assert!(pictures[0] != pictures[1] && pictures[1] != pictures[2]);
+    assert!(folder.refusal("--scene box --frames 2 --picture c.png").contains("--frames: the scene does not move"));
+    assert!(folder.refusal("--scene box --camera here --picture c.png").contains("`here` is no camera"));
+}

@@ -3,12 +3,14 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use sightlines_kernels::raster::Picture;
 use sightlines_visibility::ambient::{Environment, Lighting, Sphere, Weighting};
-use sightlines_visibility::scene::Generator;
+use sightlines_visibility::error::{Place, Result};
+use sightlines_visibility::scene::{Motion, World};
 use sightlines_visibility::setup::Up;
-use sightlines_visibility::{Result, error::Place};
 
-use crate::program::cli::{Axis, MachineArgs, generator};
+use crate::program::cli::{Axis, MachineArgs};
+use crate::program::queries::{size, world};
 
 /// What the long help says beyond the arguments.
 pub(crate) const HELP: &str = "\
@@ -31,6 +33,31 @@ pub(crate) struct AmbientArgs {
     /// The visibility matrix, written as it grows.
     #[arg(long, value_name = "FILE")]
     pub(crate) matrix: Option<PathBuf>,
+    /// Pictures by the raster, one for each camera; with an orbit numbered before the extension.
+    #[arg(long, value_name = "FILE.png")]
+    pub(crate) picture: Option<PathBuf>,
+    /// Where pictures are taken from: EYE/TARGET or EYE/TARGET/DEGREES, points as x,y,z [default: from above, in front].
+    #[arg(long, value_name = "WORDS", requires = "picture", allow_hyphen_values = true)]
+    pub(crate) camera: Option<String>,
+    /// So many pictures on a circle around the scene.
+    #[arg(long, value_name = "N", requires = "picture", value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    pub(crate) orbit: Option<u32>,
+    /// Columns and rows of pictures.
+    #[arg(long, value_name = "WxH", value_parser = size, default_value = "800x600")]
+    pub(crate) size: Picture,
+    /// Evaluate only what pictures come to show.
+    #[arg(long, requires = "picture", conflicts_with_all = ["output", "matrix"])]
+    pub(crate) lazy: bool,
+    /// With fewer unseen triangles than this, --lazy evaluates the rest [default: a twentieth of all].
+    #[arg(long, value_name = "N", requires = "lazy")]
+    pub(crate) threshold: Option<usize>,
+    /// So many frames of a motion, one picture each: of --motion, or of the first animation of a glTF model.
+    #[arg(long, value_name = "N", requires = "picture", conflicts_with_all = ["output", "matrix", "lazy"],
+        value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    pub(crate) frames: Option<u32>,
+    /// Cost that a frame may have, in millions of a direction times a position or a triangle; the level follows from it.
+    #[arg(long, value_name = "N", requires = "frames")]
+    pub(crate) budget: Option<u64>,
     /// Go on with the matrix in the file, if there is one.
     #[arg(long, requires = "matrix")]
     pub(crate) resume: bool,
@@ -78,9 +105,16 @@ pub(crate) struct AmbientArgs {
 pub(crate) struct Source {
     /// A mesh: OBJ, glTF (.gltf, .glb) or PLY.
     pub(crate) model: Option<PathBuf>,
-    /// A generated scene.
-    #[arg(long, value_name = "NAME", value_parser = generator)]
-    pub(crate) scene: Option<Generator>,
+    /// A generated scene, such as palms, trio or bumpy-70000.
+    #[arg(long, value_name = "NAME", value_parser = world)]
+    pub(crate) scene: Option<World>,
+    /// A generated scene that moves: `skeleton` or `cloth`.
+    #[arg(long, value_name = "NAME", value_parser = motion)]
+    pub(crate) motion: Option<Motion>,
+}
+
+fn motion(name: &str) -> Result<Motion, String> {
+    Motion::from_name(name).ok_or_else(|| "choose skeleton or cloth".to_owned())
 }
 
 /// How directions are weighed.

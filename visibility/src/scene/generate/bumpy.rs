@@ -5,6 +5,9 @@ use crate::scene::{Mesh, Scene};
 /// Bumps of two sizes: height, then waves along each axis.
 const BUMPS: [(f64, [f64; 3]); 2] = [(0.08, [7.0, 9.0, 8.0]), (0.02, [31.0, 29.0, 37.0])];
 
+/// Most triangles of a bumpy sphere that is asked for by name.
+pub const MAX_BUMPY: usize = 2_000_000;
+
 /// A bumpy sphere of about so many triangles (at least 24), its centre two metres above the ground. Every edge belongs to
 /// two triangles that run through it in opposite directions.
 pub fn bumpy_sphere(triangles: usize) -> Scene {
@@ -27,6 +30,18 @@ pub fn bumpy_sphere(triangles: usize) -> Scene {
         }
     }
     Scene { name: "bumpy sphere".to_owned(), units: "metres", parts: vec![mesh] }
+}
+
+/// A small ball between two large ones, which do not touch it: all three are bumpy.
+pub fn trio() -> Scene {
+    let ball = |name: &str, triangles: usize, size: f64, x: f64| {
+        let mut mesh = bumpy_sphere(triangles).parts.remove(0);
+        mesh.name = name.to_owned();
+        mesh.vertices.iter_mut().for_each(|v| *v = [x + size * v[0], size * (v[1] - 2.0), size * v[2]]);
+        mesh
+    };
+    let parts = vec![ball("small", 6000, 0.4, 0.0), ball("left", 12_000, 1.0, -1.6), ball("right", 12_000, 1.0, 1.6)];
+    Scene { name: "trio".to_owned(), units: "metres", parts }
 }
 
 /// The vertex at an angle from the upward axis and one around it.

@@ -11,7 +11,7 @@ use gltf::{Accessor, Document};
 
 use super::REMEDY;
 use crate::error::{Place, Result};
-use crate::scene::{MAX_FILE_BYTES, MAX_TRIANGLES, MAX_VERTICES, limit, load};
+use crate::scene::{Affine, MAX_FILE_BYTES, MAX_TRIANGLES, MAX_VERTICES, limit, load};
 use crate::vector::Vector;
 
 pub(super) struct Buffers<'a> {
@@ -54,6 +54,28 @@ impl<'a> Buffers<'a> {
         };
         let unit = |v: f64| if accessor.normalized() { (v / largest).max(-1.0) } else { v };
         Ok(self.values(accessor)?.as_chunks::<3>().0.iter().map(|p| p.map(unit)).collect())
+    }
+
+    /// Joints or their weights, four each.
+    pub(super) fn fours(&self, accessor: &Accessor<'_>, what: &str) -> Result<Vec<[f64; 4]>> {
+        self.expect(accessor, Dimensions::Vec4, true, what, MAX_VERTICES)?;
+        // Weights are shares of their sum, so integers need no scale.
+        Ok(self.values(accessor)?.as_chunks::<4>().0.to_vec())
+    }
+
+    /// So many affine maps, from matrices of four columns.
+    pub(super) fn matrices(&self, accessor: &Accessor<'_>, count: usize) -> Result<Vec<Affine>> {
+        let whole = accessor.data_type() == DataType::F32 && accessor.count() >= count;
+        self.expect(accessor, Dimensions::Mat4, whole, "inverse bind matrices", MAX_VERTICES)?;
+        let columns = |m: &[f64; 16]| Affine([0, 4, 8, 12].map(|at| [m[at], m[at + 1], m[at + 2]]));
+        Ok(self.values(accessor)?.as_chunks().0.iter().map(columns).collect())
+    }
+
+    /// Times or values of an animation, `width` numbers each.
+    pub(super) fn keys(&self, accessor: &Accessor<'_>, width: usize) -> Result<Vec<f64>> {
+        let shape = [Dimensions::Scalar, Dimensions::Vec2, Dimensions::Vec3, Dimensions::Vec4][width - 1];
+        self.expect(accessor, shape, accessor.data_type() == DataType::F32, "keys", MAX_VERTICES)?;
+        self.values(accessor)
     }
 
     /// Corners of faces.
