@@ -1,5 +1,6 @@
 //! Ambient occlusion: the matrix against its definition, refinement, light, files, and the program.
 
+mod comparison;
 mod files;
 mod light;
 mod matrix;
