@@ -23,6 +23,7 @@ pub mod irradiance;
 pub mod item_histogram;
 pub mod light_sphere;
 pub mod line_mask;
+pub mod mip_pyramid;
 pub mod op_map;
 pub mod pattern;
 pub mod permute;
@@ -77,6 +78,7 @@ package! {
         item_histogram,
         light_sphere,
         line_mask,
+        mip_pyramid,
         op_map,
         popcount,
         raster,

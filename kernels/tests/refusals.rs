@@ -2,6 +2,7 @@
 
 use sightlines_backend::{ErrorKind, Job, Result};
 use sightlines_kernels::item_histogram::{ItemHistogram, Order, Tiling};
+use sightlines_kernels::mip_pyramid::{self, MipPyramid};
 use sightlines_kernels::op_map::{OpMap, Truth};
 use sightlines_kernels::popcount::{Method, Popcount, Shape};
 use sightlines_kernels::raster::{self, Faces, Ids, Mesh, Picture, Placement, Raster, View};
@@ -58,12 +59,41 @@ fn tables_of_odd_or_large_images() {
     let mut job = Job::new();
     let [image, table] = ["image", "table"].map(|name| job.zeroed::<u32>(name, 64));
     for (width, height) in [(0, 4), (6, 4), (4100, 1), (4, (1 << 16) + 1), (16, 5)] {
-        refused(kernel.record(&mut job, Extent { width, height }, image, table), &height.to_string());
+        refused(kernel.record(&mut job, (Extent { width, height }, 1), image, table), &height.to_string());
     }
     let (rectangles, sums) = (job.zeroed("rectangles", 2), job.zeroed("sums", 3));
     let extent = Extent { width: 16, height: 4 };
-    refused(kernel.record_rectangles(&mut job, extent, table, 3, rectangles, sums), "3 rectangles");
+    refused(kernel.record_rectangles(&mut job, (extent, 1), table, (3, rectangles), sums), "3 rectangles");
+    for channels in [0, 9] {
+        refused(kernel.record(&mut job, (extent, channels), image, table), &format!("{channels} channels"));
+    }
+    refused(kernel.record(&mut job, (extent, 2), image, table), "64 words of image");
+    let large = Extent { width: 4096, height: 4096 };
+    refused(kernel.record_wide(&mut job, (large, 3), image, [table, table]), "3 channels of 4096");
+    let half = job.zeroed::<u32>("high table", 32);
+    refused(kernel.record_wide(&mut job, (extent, 1), image, [table, half]), "32 words of high table");
+    let (two, pairs) = (job.zeroed("rectangles", 2), job.zeroed("sums", 3));
+    let tables = [job.zeroed("low", 128), job.zeroed("high", 128)];
+    refused(kernel.record_rectangles_wide(&mut job, (extent, 2), tables, (2, two), pairs), "3 sums of 2 channels");
     assert!(job.recordings.is_empty(), "a refusal records nothing");
+}
+
+#[test]
+fn pyramids_of_large_images_or_short_buffers() {
+    let kernel = MipPyramid::new().expect("it compiles");
+    let mut job = Job::new();
+    let image = job.zeroed::<u32>("image", 63);
+    for (width, height, channels) in [(0, 4, 1), (4, 4097, 1), (4, 4, 9), (4, 4, 0), (4096, 4096, 3), (8, 8, 1)] {
+        let extent = mip_pyramid::Extent { width, height, channels };
+        refused(kernel.record(&mut job, extent, image).map(drop), &format!("{width} by {height}"));
+    }
+    assert!(job.recordings.is_empty(), "a refusal records nothing");
+    let extent = mip_pyramid::Extent { width: 9, height: 7, channels: 1 };
+    let pyramid = kernel.record(&mut job, extent, image).expect("it is small");
+    let (two, sums) = (job.zeroed("rectangles", 2), job.zeroed("sums", 3));
+    refused(kernel.record_rectangles(&mut job, &pyramid, (3, two), sums), "3 rectangles from 2");
+    let (two, sums) = (job.zeroed("rectangles", 2), job.zeroed("sums", 1));
+    refused(kernel.record_rectangles(&mut job, &pyramid, (2, two), sums), "into 1 sums");
 }
 
 #[test]
@@ -77,8 +107,10 @@ fn histograms_whose_buffers_are_short() {
         let tiling = Tiling { width, height, depth };
         let pixels = (width * height).to_string();
         let number = if pixels == "20" { pixels } else { depth.to_string() };
-        refused(kernel.record_labels(&mut job, tiling, words, words, words), &number);
+        refused(kernel.record_labels(&mut job, tiling, (words, 16), words, words), &number);
     }
+    let tiling = Tiling { width: 4, height: 4, depth: 1 };
+    refused(kernel.record_labels(&mut job, tiling, (words, 32), words, words), "32 bits");
     refused(kernel.record_mips(&mut job, 2, 2, words).map(drop), "16 bins");
     refused(kernel.record_mips(&mut job, 9, 1, words).map(drop), "depth 9");
     assert!(job.recordings.is_empty(), "a refusal records nothing");
@@ -140,13 +172,13 @@ fn region_sets_of_too_many_objects_channels_or_regions() {
     let kernel = RegionSets::new().expect("it compiles");
     let mut job = Job::new();
     let (rectangles, outlines) = (job.zeroed("rectangles", 2), job.zeroed("outlines", 16));
-    let shape = region_sets::Shape { objects: 2, channels: 4, limit: 64, width: 64, height: 64 };
+    let shape = region_sets::Shape { objects: 2, channels: 4, limit: 64, met: 100, width: 64, height: 64 };
     for (refusal, number) in [
         (region_sets::Shape { objects: 2001, ..shape }, "2001 objects"),
         (region_sets::Shape { channels: 9, ..shape }, "9 channels"),
         (region_sets::Shape { channels: 0, ..shape }, "0 channels"),
         (region_sets::Shape { limit: 65, ..shape }, "65 regions"),
-        (region_sets::Shape { objects: 2000, limit: 10, ..shape }, "2000 objects with 10 regions"),
+        (region_sets::Shape { met: 18_001, ..shape }, "18001 regions of others"),
         (region_sets::Shape { width: 4097, ..shape }, "4097 columns"),
         (region_sets::Shape { height: 0, ..shape }, "0 rows"),
         (region_sets::Shape { objects: 3, ..shape }, "2 rectangles"),
@@ -156,8 +188,12 @@ fn region_sets_of_too_many_objects_channels_or_regions() {
     assert!(job.recordings.is_empty(), "a refusal records nothing");
     let regions = kernel.record(&mut job, shape, rectangles, outlines).expect("it is small");
     let (short, words, queries) = (job.zeroed("short", 4095), job.zeroed("words", 4096), job.zeroed("queries", 1));
-    refused(kernel.record_paint(&mut job, &regions, 0, short, words), "4095 items");
-    refused(kernel.record_count(&mut job, &regions, 0, [words, words], queries), "1 queries");
+    refused(kernel.record_paint(&mut job, &regions, 0..1, short, words), "4095 items");
+    refused(kernel.record_paint(&mut job, &regions, 1..3, words, words), "4096 pixels of 2 channels");
+    refused(kernel.record_paint_weights(&mut job, &regions, 3..5, [words, words], words), "channels 3 to 5 of 4");
+    refused(kernel.record_paint_weights(&mut job, &regions, 0..1, [words, short], words), "4095 items");
+    refused(kernel.record_count(&mut job, &regions, 2..2, [words, words], queries), "channels 2 to 2");
+    refused(kernel.record_count(&mut job, &regions, 0..1, [words, words], queries), "1 queries");
 }
 
 #[test]

@@ -5,7 +5,10 @@
 
 use sightlines_backend::{Case, Expected, Job, Result, Size};
 
-use super::{ItemHistogram, NOTHING, Order, Tiling, item, oracle};
+use super::{INSTANCE_BITS, ItemHistogram, NOTHING, Order, Tiling, item, oracle};
+use crate::raster::meshes::{ball, seen_from_origin, upload};
+use crate::raster::oracle::Scene;
+use crate::raster::{self, Ids, Picture, Raster, View};
 use crate::{pieces, random, screen};
 
 /// Words past the end of the bins, and what they hold.
@@ -32,6 +35,9 @@ pub(super) fn all() -> Vec<Case> {
         weighted("weights_512", Size::Real, tiling(512, 512), |i| random::word(8, i) >> 24),
         screen_case("figure_4", Size::Small, FIGURE_4, tiling(96, 64), Order::Memory),
         screen_case("figure_4_uneven", Size::Small, FIGURE_4, tiling(301, 77), Order::Scattered),
+        chain("chain_instances", Size::Small, [96, 64], INSTANCES),
+        chain("chain_clusters", Size::Small, [96, 64], CLUSTERS),
+        chain("chain_clusters_512", Size::Real, [512, 512], CLUSTERS),
         screen_case("screen_512_192", Size::Real, FIGURE_4, tiling(512, 512), Order::Memory),
         screen_case("screen_512_192_scattered", Size::Real, FIGURE_4, tiling(512, 512), Order::Scattered),
         screen_case("screen_2048_65536", Size::Real, CROWD, tiling(2048, 2048), Order::Memory),
@@ -65,7 +71,8 @@ fn items(instances: &[u32], tiling: Tiling) -> Vec<u32> {
 fn screen_case(name: &str, size: Size, instances: &'static [u32], tiling: Tiling, order: Order) -> Case {
     let bins = instances.iter().sum::<u32>() << (2 * tiling.depth);
     let expected = move |_: &_| {
-        let labels = oracle::labels(tiling, &items(instances, tiling), &bases(instances, tiling.depth));
+        let labels =
+            oracle::labels(tiling, (&items(instances, tiling), INSTANCE_BITS), &bases(instances, tiling.depth));
         let mut levels = vec![oracle::counts(&labels, bins)];
         for depth in (1..=tiling.depth).rev() {
             levels.push(oracle::halved(&levels[levels.len() - 1], depth));
@@ -83,7 +90,7 @@ fn screen_job(instances: &[u32], tiling: Tiling, order: Order) -> Result<Job> {
     let base = job.slice("base", &bases(instances, tiling.depth));
     pieces::cut(&mut job);
     let labels = job.zeroed("labels", items.len());
-    kernel.record_labels(&mut job, tiling, items, base, labels)?;
+    kernel.record_labels(&mut job, tiling, (items, INSTANCE_BITS), base, labels)?;
     let blocks = instances.iter().sum::<u32>();
     let bins = blocks << (2 * tiling.depth);
     let counts = job.zeroed("counts", u64::from(bins));
@@ -97,11 +104,93 @@ fn screen_job(instances: &[u32], tiling: Tiling, order: Order) -> Result<Job> {
     Ok(job)
 }
 
+/// How items of two meshes are numbered, what of them is the instance, and the first bins of the objects.
+struct Naming {
+    ids: [Ids; 2],
+    instance_bits: u32,
+    base: &'static [u32],
+}
+
+/// Instances of two objects: five and four.
+const INSTANCES: &Naming = &Naming {
+    ids: [Ids { base: 0, step: 1, shift: 31 }, Ids { base: 1 << INSTANCE_BITS, step: 1, shift: 31 }],
+    instance_bits: INSTANCE_BITS,
+    base: &[0, 5 * 16],
+};
+
+/// Clusters of 32 triangles: 19 of each of the nine instances of 600 triangles.
+const CLUSTERS: &Naming = &Naming {
+    ids: [Ids { base: 0, step: 19, shift: 5 }, Ids { base: 5 * 19, step: 19, shift: 5 }],
+    instance_bits: 31,
+    base: &[0],
+};
+
+/// Balls before a camera: two meshes, five instances and four.
+fn balls([width, height]: [u32; 2], naming: &Naming) -> (View, Vec<Scene>) {
+    let view = View { picture: Picture { width, height }, near: 4096 };
+    let place = |i: u32| {
+        let at = [0, 1].map(|axis| f64::from(random::below(1200, 14, 2 * i + axis)) - 600.0);
+        seen_from_origin(256.0, 16.0, [at[0], at[1], 900.0 + 90.0 * f64::from(i % 4)], 250.0 / 16_384.0, i + 1)
+    };
+    let scenes = naming.ids.into_iter().zip([0..5, 5..9]).map(|(ids, instances)| {
+        let mut scene = ball().drawn(&instances.map(place).collect::<Vec<_>>());
+        scene.ids = ids;
+        scene
+    });
+    (view, scenes.collect())
+}
+
+/// Draws meshes, names their pixels, counts them, and sums the counts over the tiles.
+fn chain(name: &str, size: Size, sides: [u32; 2], naming: &'static Naming) -> Case {
+    let tiling = tiling(sides[0], sides[1]);
+    let blocks = if naming.base.len() > 1 { 9 } else { 9 * 19 };
+    let expected = move |_: &_| {
+        let (view, scenes) = balls(sides, naming);
+        let [_, items] = raster::oracle::pictures(view, &scenes);
+        let labels = oracle::labels(tiling, (&items, naming.instance_bits), naming.base);
+        let counts = oracle::counts(&labels, blocks << 4);
+        let halved = oracle::halved(&counts, 2);
+        let whole = oracle::halved(&halved, 1);
+        [counts, halved, whole, labels].map(Expected::Whole).into()
+    };
+    let job = move || {
+        let (kernel, raster) = (ItemHistogram::new()?, Raster::new()?);
+        let (view, scenes) = balls(sides, naming);
+        let mut job = Job::new();
+        let pixels = u64::from(view.picture.pixels());
+        let [depth, items, labels] = ["depth", "items", "labels"].map(|name| job.zeroed(name, pixels));
+        raster.record_clear(&mut job, view.picture, depth)?;
+        raster.record_clear(&mut job, view.picture, items)?;
+        let mut drawn = Vec::new();
+        for scene in &scenes {
+            let mesh = upload(&mut job, scene);
+            let projected = raster.project(&mut job, view, mesh)?;
+            raster.record_depth(&mut job, &projected, scene.faces, depth)?;
+            drawn.push((projected, scene));
+        }
+        for (projected, scene) in &drawn {
+            raster.record_items(&mut job, projected, scene.faces, scene.ids, [depth, items])?;
+        }
+        let base = job.slice("base", naming.base);
+        kernel.record_labels(&mut job, tiling, (items, naming.instance_bits), base, labels)?;
+        let bins = blocks << 4;
+        let counts = job.zeroed("counts", u64::from(bins));
+        kernel.record_counts(&mut job, Order::Scattered, (pixels as u32, labels), (bins, counts))?;
+        let levels = kernel.record_mips(&mut job, 2, blocks, counts)?;
+        job.read("counts", counts.id());
+        job.read("tiles_of_four", levels[0].id());
+        job.read("whole", levels[1].id());
+        job.read("labels", labels.id());
+        Ok(job)
+    };
+    Case::new(name, size, job, expected).probes([0, 5, 16 * blocks / 2, 16 * blocks - 1])
+}
+
 /// Sums a weight of every pixel of a screen, as of a blocker that lets light through, in both orders, and two mip levels.
 fn weighted(name: &str, size: Size, tiling: Tiling, weight: fn(u32) -> u32) -> Case {
     let blocks = FIGURE_4.iter().sum::<u32>();
     let bins = blocks << (2 * tiling.depth);
-    let ids = move || oracle::labels(tiling, &items(FIGURE_4, tiling), &bases(FIGURE_4, tiling.depth));
+    let ids = move || oracle::labels(tiling, (&items(FIGURE_4, tiling), INSTANCE_BITS), &bases(FIGURE_4, tiling.depth));
     let weights = move || (0..tiling.width * tiling.height).map(weight).collect::<Vec<u32>>();
     let expected = move |_: &_| {
         let fine = oracle::weights(&ids(), &weights(), bins);

@@ -8,7 +8,8 @@
 //
 //     id = base[object] + instance * 2^(2t) + x + y * 2^t,
 //
-// and 0xffffffff for the background and for objects without a base. `count` adds to counts[id], for id < bins, the
+// and 0xffffffff for the background and for objects without a base. An item has its instance in its lowest bits, 1 to 31
+// of them, and its object above; with 31 bits and one base, items of any meaning are spread over the tiles. `count` adds to counts[id], for id < bins, the
 // number of times that id occurs; other ids are ignored. `weigh` adds to counts[id] the weights of its items instead, modulo
 // 2^32 (section 5: visibility that is not binary). `halve` makes blocks of s by s bins from blocks of 2s by 2s,
 // each bin the sum of its four children: the next mip level, as sums.
@@ -106,12 +107,14 @@ struct Screen {
     /// Logarithm of the number of tiles a side.
     depth: u32,
     objects: u32,
+    /// Bits of an item that are the instance.
+    instance_bits: u32,
     /// Row of the first workgroup.
     first: u32,
 }
 
 @group(0) @binding(3) var<uniform> screen: Screen;
-/// Object in the upper half of a word, instance in the lower; `NOTHING` for the background.
+/// Object in the upper bits of a word, instance in the lower; `NOTHING` for the background.
 @group(0) @binding(4) var<storage, read> items: array<u32>;
 @group(0) @binding(5) var<storage, read> base: array<u32>;
 @group(0) @binding(6) var<storage, read_write> labels: array<u32>;
@@ -125,12 +128,13 @@ fn label(@builtin(global_invocation_id) invocation: vec3<u32>) {
     }
     let place = pixel.y * screen.width + pixel.x;
     let item = items[place];
-    let object = item >> 16u;
+    let object = item >> screen.instance_bits;
     var id = NOTHING;
     if (item != NOTHING && object < screen.objects) {
         let x = (pixel.x << screen.depth) / screen.width;
         let y = (pixel.y << screen.depth) / screen.height;
-        id = base[object] + ((item & 0xffffu) << (2u * screen.depth)) + x + (y << screen.depth);
+        let instance = item & ((1u << screen.instance_bits) - 1u);
+        id = base[object] + (instance << (2u * screen.depth)) + x + (y << screen.depth);
     }
     labels[place] = id;
 }

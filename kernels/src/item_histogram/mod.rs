@@ -52,9 +52,12 @@ pub struct Tiling {
     pub depth: u32,
 }
 
+/// Bits of [`item`] that are the instance.
+pub const INSTANCE_BITS: u32 = 16;
+
 /// The word of an item buffer for an instance of an object. The last instance of object 65,535 would be [`NOTHING`].
 pub fn item(object: u16, instance: u16) -> u32 {
-    u32::from(object) << 16 | u32::from(instance)
+    u32::from(object) << INSTANCE_BITS | u32::from(instance)
 }
 
 host! {
@@ -86,6 +89,8 @@ host! {
         pub depth: u32,
         /// Number of objects.
         pub objects: u32,
+        /// Bits of an item that are the instance.
+        pub instance_bits: u32,
         /// Row of the first workgroup.
         pub first: u32,
     }
@@ -164,12 +169,14 @@ impl ItemHistogram {
         })
     }
 
-    /// Writes the id of every pixel: one word of `items` and of `labels` a pixel, one word of `base` an object.
+    /// Writes the id of every pixel: one word of `items` and of `labels` a pixel, one word of `base` an object. The lowest
+    /// `instance_bits` of an item are its instance, the others its object: [`INSTANCE_BITS`] for words made by [`item`];
+    /// 31, with one base, for items that have no objects, such as clusters of triangles.
     pub fn record_labels(
         &self,
         job: &mut Job,
         tiling: Tiling,
-        items: Buffer<[u32]>,
+        (items, instance_bits): (Buffer<[u32]>, u32),
         base: Buffer<[u32]>,
         labels: Buffer<[u32]>,
     ) -> Result<()> {
@@ -180,6 +187,10 @@ impl ItemHistogram {
             let what = format!("a screen of {width} by {height} pixels in tiles of depth {depth}");
             return Err(Error::refused(what, "use 1 to 65,535 pixels a side and a depth of at most 8"));
         }
+        if !(1..=31).contains(&instance_bits) {
+            let what = format!("items with {instance_bits} bits of instance");
+            return Err(Error::refused(what, "use 1 to 31 bits"));
+        }
         if items.len() < pixels || labels.len() < pixels {
             let what = format!("{} items and {} labels for {pixels} pixels", items.len(), labels.len());
             return Err(Error::refused(what, "give one word a pixel"));
@@ -187,7 +198,8 @@ impl ItemHistogram {
         let objects = base.len() as u32;
         let program = job.program(&self.memory[0]);
         pieces::record(job, height, u64::from(2 * width), |job, rows| {
-            let screen = job.value("screen", &Screen { width, height, depth, objects, first: rows.start });
+            let screen = Screen { width, height, depth, objects, instance_bits, first: rows.start };
+            let screen = job.value("screen", &screen);
             let bound = Label { screen, items, base, labels };
             job.launch(program, "label", &bound, [width.div_ceil(GROUP), rows.len() as u32, 1]);
         });

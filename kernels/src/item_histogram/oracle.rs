@@ -2,13 +2,14 @@
 
 use super::{NOTHING, Tiling};
 
-/// The id of every pixel: `base + instance · 4^depth + x + y · 2^depth` for tile (x, y), modulo 2³².
-pub fn labels(tiling: Tiling, items: &[u32], base: &[u32]) -> Vec<u32> {
+/// The id of every pixel: `base + instance · 4^depth + x + y · 2^depth` for tile (x, y), modulo 2³². The instance is what
+/// remains of an item by 2^`instance_bits`, the object the quotient.
+pub fn labels(tiling: Tiling, (items, instance_bits): (&[u32], u32), base: &[u32]) -> Vec<u32> {
     let tiles = 1_u64 << tiling.depth;
     let (width, height) = (u64::from(tiling.width), u64::from(tiling.height));
     let mut labels = Vec::with_capacity(items.len());
     for (place, &item) in (0..).zip(items) {
-        let (object, instance) = (item / 65_536, u64::from(item % 65_536));
+        let (object, instance) = (item >> instance_bits, u64::from(item) % (1 << instance_bits));
         labels.push(match base.get(object as usize) {
             Some(&base) if item != NOTHING => {
                 let (px, py) = (place % width, place / width);
@@ -71,7 +72,7 @@ mod tests {
         items[63] = item(1, 2);
         items[2 * 8 + 3] = item(2, 3);
         items[1] = item(3, 0);
-        let labels = labels(tiling, &items, &base);
+        let labels = labels(tiling, (&items, 16), &base);
         assert_eq!(labels[0], 0);
         assert_eq!(labels[7], 16 + 3);
         assert_eq!(labels[63], 80 + 2 * 16 + 15);

@@ -6,9 +6,9 @@
 
 use sightlines_backend::{Case, Expected, Job, Outputs, Result, Size};
 
-use super::meshes::{Family, Shape, ball, flat, seen_from_origin};
+use super::meshes::{Family, Shape, ball, flat, seen_from_origin, upload};
 use super::oracle::{self, Scene};
-use super::{Faces, Ids, Mesh, Picture, Raster, View};
+use super::{Faces, Ids, Picture, Raster, View};
 use crate::{pieces, random};
 
 /// Words past the end of buffers, and what they hold.
@@ -47,6 +47,8 @@ pub(super) fn all() -> Vec<Case> {
     cases.push(small("huge_256", || family(Family::Huge, picture(64, 64), 256)));
     cases.push(case("bands", Size::Real, bands, [0, 2048 * 64, 1024 * 192 + 7]));
     cases.push(case("balls_500", Size::Real, balls, [1024 * 511 + 500, 1024 * 700 + 300]));
+    let square = || camera(4096, 1.0, 120, 4);
+    cases.push(case("balls_4096", Size::Real, square, [4096 * 1800 + 2000, 4096 * 2047 + 2047, 4096 * 2900 + 3000]));
     cases.push(case("room_512", Size::Real, || room(512, 300.0), [0, 512 * 256 + 256, 512 * 511 + 7]));
     cases.push(case("terrain_4096", Size::Real, terrain, [4096 * 256 + 17, 4096 * 400 + 4000]));
     cases
@@ -220,19 +222,4 @@ fn job(input: &Input) -> Result<Job> {
     job.read("items", items.id());
     job.read("seen", seen.id());
     Ok(job)
-}
-
-/// A mesh of a scene's words; a binding holds at least one element.
-fn upload(job: &mut Job, scene: &Scene) -> Mesh {
-    let or_one = |words: Vec<u32>| if words.is_empty() { vec![0] } else { words };
-    let vertices: Vec<i32> = scene.vertices.iter().flatten().copied().collect();
-    let rows: Vec<glam::IVec4> = scene.instances.iter().flatten().copied().collect();
-    Mesh {
-        vertices: job.slice("vertices", if vertices.is_empty() { &[0] } else { &vertices[..] }),
-        vertex_count: scene.vertices.len() as u32,
-        indices: job.slice("indices", &or_one(scene.triangles.iter().flatten().copied().collect())),
-        triangle_count: scene.triangles.len() as u32,
-        rows: job.slice("rows", if rows.is_empty() { &[glam::IVec4::ZERO] } else { &rows[..] }),
-        instance_count: scene.instances.len() as u32,
-    }
 }

@@ -6,8 +6,9 @@
 // path meets them.
 //
 // `clear` sets a buffer, bound as `depth`, to 2^32 - 1. `project` puts the vertices of all instances on the screen.
-// `small` draws the triangles of a few pixels, a lane each, and marks those that `large` draws: a workgroup each 32
-// triangles and band of rows, one triangle after another, 256 pixels at a time. With ITEMS false both leave the least
+// `sort` marks the triangles that are not small; from the prefix sums of the marks `list` lists them, and `arguments`
+// tells how many workgroups of `large` there are. `small` draws the triangles of a few pixels, a lane each; `large` the
+// listed ones, a workgroup each triangle and band of rows, 256 pixels at a time. With ITEMS false both leave the least
 // depth in `depth`; with ITEMS true, once the depths of all meshes are known, they leave in `items` the least id of the
 // triangles that have that depth. `points` tells which projected points are not behind the depths of their pixels.
 
@@ -45,6 +46,8 @@ struct Params {
     band: u32,
     /// Added to the depth that a point is compared with.
     bias: u32,
+    /// Most listed triangles of a launch of `large`.
+    piece: u32,
     /// Number of the first workgroup.
     first: u32,
 }
@@ -59,13 +62,21 @@ struct Params {
 /// Screen coordinates and depth of vertex `v` of instance `n` at `n * vertices + v`, and 1 if it is in front, else 0.
 @group(0) @binding(4) var<storage, read_write> projected: array<vec4<i32>>;
 @group(0) @binding(5) var<storage, read> screen: array<vec4<i32>>;
-/// A bit for every triangle of every instance: whether `large` draws it.
-@group(0) @binding(6) var<storage, read_write> marks: array<atomic<u32>>;
-@group(0) @binding(7) var<storage, read> marked: array<u32>;
+/// 1 for every triangle of every instance that `large` draws, else 0.
+@group(0) @binding(6) var<storage, read_write> marks: array<u32>;
+/// Those triangles.
+@group(0) @binding(7) var<storage, read> listed: array<u32>;
 @group(0) @binding(8) var<storage, read_write> depth: array<atomic<u32>>;
 @group(0) @binding(9) var<storage, read_write> items: array<atomic<u32>>;
 /// A bit for every projected vertex.
 @group(0) @binding(10) var<storage, read_write> seen: array<atomic<u32>>;
+
+/// The marks, once they are known, and how many there are before each triangle.
+@group(0) @binding(11) var<storage, read> known_marks: array<u32>;
+@group(0) @binding(12) var<storage, read> marks_before: array<u32>;
+@group(0) @binding(13) var<storage, read_write> large_list: array<u32>;
+/// Workgroups of every piece of `large`.
+@group(0) @binding(14) var<storage, read_write> workgroups: array<u32>;
 
 fn plot(place: u32, z: u32, id: u32) {
     if (!ITEMS) {
@@ -131,6 +142,66 @@ fn corners(triangle: u32) -> vec3<u32> {
     return select(v, vec3<u32>(0u), max(max(v.x, v.y), v.z) >= params.vertices);
 }
 
+/// A triangle on the screen: its box in pixels, and whether it is drawn at all, by one lane, or by a workgroup.
+struct Setup {
+    a: vec4<i32>,
+    b: vec4<i32>,
+    c: vec4<i32>,
+    low: vec2<i32>,
+    high: vec2<i32>,
+    is_drawn: bool,
+    is_small: bool,
+}
+
+fn set_up(instance: u32, triangle: u32) -> Setup {
+    let v = corners(triangle) + instance * params.vertices;
+    let a = screen[v.x];
+    let b = screen[v.y];
+    let c = screen[v.z];
+    let front = a.w + b.w + c.w;
+    let low = box_low(a.xy, b.xy, c.xy, 0);
+    let high = box_high(a.xy, b.xy, c.xy, bitcast<i32>(params.height) - 1);
+    let is_empty = (front == 3) & any(low > high);
+    let sides = extents(a.xy, b.xy, c.xy);
+    let is_small = (front == 3) & (max(sides.x, sides.y) < SMALL);
+    return Setup(a, b, c, low, high, (front != 0) & !is_empty, is_small);
+}
+
+@compute @workgroup_size(256)
+fn sort(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    let number = (params.first + group.x) * 256u + lane;
+    if (number >= params.triangles * params.instances) {
+        return;
+    }
+    let instance = number / params.triangles;
+    let t = set_up(instance, number - instance * params.triangles);
+    marks[number] = select(0u, 1u, t.is_drawn & !t.is_small);
+}
+
+@compute @workgroup_size(256)
+fn list(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    let number = (params.first + group.x) * 256u + lane;
+    if (number < params.triangles * params.instances) {
+        if (known_marks[number] != 0u) {
+            large_list[marks_before[number]] = number;
+        }
+    }
+}
+
+/// An invocation for every piece of `params.piece` triangles.
+@compute @workgroup_size(64)
+fn arguments(@builtin(global_invocation_id) id: vec3<u32>) {
+    let triangles = params.triangles * params.instances;
+    let first = id.x * params.piece;
+    if (first >= triangles) {
+        return;
+    }
+    let all = marks_before[triangles - 1u] + known_marks[triangles - 1u];
+    workgroups[3u * id.x] = min(all - min(first, all), params.piece);
+    workgroups[3u * id.x + 1u] = (params.height + params.band - 1u) / params.band;
+    workgroups[3u * id.x + 2u] = 1u;
+}
+
 @compute @workgroup_size(256)
 fn small(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     let number = (params.first + group.x) * 256u + lane;
@@ -139,30 +210,18 @@ fn small(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_inde
     }
     let instance = number / params.triangles;
     let triangle = number - instance * params.triangles;
-    let v = corners(triangle) + instance * params.vertices;
-    let a = screen[v.x];
-    let b = screen[v.y];
-    let c = screen[v.z];
-    let front = a.w + b.w + c.w;
-    let low = box_low(a.xy, b.xy, c.xy, 0);
-    let high = box_high(a.xy, b.xy, c.xy, bitcast<i32>(params.height) - 1);
-    let size = high - low + 1;
-    if ((front == 0) | ((front == 3) & (min(size.x, size.y) <= 0))) {
+    let t = set_up(instance, triangle);
+    if (!(t.is_drawn & t.is_small)) {
         return;
     }
-    let sides = extents(a.xy, b.xy, c.xy);
-    if ((front == 3) & (max(sides.x, sides.y) < SMALL)) {
-        let s = turn(a.xy, b.xy, c.xy);
-        let id = id_of(instance, triangle);
-        if ((s > 0) & ((params.faces & 1u) != 0u)) {
-            draw_small(a.xyz, b.xyz, c.xyz, low, high, id);
-        }
-        if ((s < 0) & ((params.faces & 2u) != 0u)) {
-            draw_small(a.xyz, c.xyz, b.xyz, low, high, id);
-        }
-        return;
+    let s = turn(t.a.xy, t.b.xy, t.c.xy);
+    let id = id_of(instance, triangle);
+    if ((s > 0) & ((params.faces & 1u) != 0u)) {
+        draw_small(t.a.xyz, t.b.xyz, t.c.xyz, t.low, t.high, id);
     }
-    atomicOr(&marks[number / 32u], 1u << (number % 32u));
+    if ((s < 0) & ((params.faces & 2u) != 0u)) {
+        draw_small(t.a.xyz, t.c.xyz, t.b.xyz, t.low, t.high, id);
+    }
 }
 
 /// Draws the rows from `top` to `bottom` of a triangle.
@@ -211,7 +270,7 @@ fn cut_triangle(instance: u32, corner: vec3<u32>, front: vec3<bool>) -> Fan {
     return Fan(first, other, last, last, 1u);
 }
 
-/// Draws the rows from `top` to `bottom` of a marked triangle.
+/// Draws the rows from `top` to `bottom` of a listed triangle.
 fn draw(number: u32, top: i32, bottom: i32, lane: u32) {
     let instance = number / params.triangles;
     let triangle = number - instance * params.triangles;
@@ -234,17 +293,9 @@ fn draw(number: u32, top: i32, bottom: i32, lane: u32) {
 
 @compute @workgroup_size(256)
 fn large(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    let word = params.first + group.x;
-    if (word >= (params.triangles * params.instances + 31u) / 32u) {
-        return;
-    }
     let top = group.y * params.band;
     let bottom = min(top + params.band, params.height) - 1u;
-    var bits = marked[word];
-    while (bits != 0u) {
-        draw(32u * word + firstTrailingBit(bits), bitcast<i32>(top), bitcast<i32>(bottom), lane);
-        bits &= bits - 1u;
-    }
+    draw(listed[params.first + group.x], bitcast<i32>(top), bitcast<i32>(bottom), lane);
 }
 
 /// A point is seen iff it is in front and in the picture, and its depth is at most that of its pixel and the bias.

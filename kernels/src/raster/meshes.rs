@@ -4,8 +4,11 @@
 
 use std::f64::consts::PI;
 
+use glam::IVec4;
+use sightlines_backend::Job;
+
 use super::oracle::Scene;
-use super::{Faces, Ids, Picture, Placement};
+use super::{Faces, Ids, Mesh, Picture, Placement};
 use crate::random;
 
 /// Vertices and triangles.
@@ -255,4 +258,19 @@ pub fn ball() -> Shape {
         shape.triangles.extend([[b, c, new], [c, a, new]]);
     }
     shape
+}
+
+/// Brings a scene to the device. A binding holds at least one element, so what is empty has one of zeros.
+pub fn upload(job: &mut Job, scene: &Scene) -> Mesh {
+    let or_one = |words: Vec<u32>| if words.is_empty() { vec![0] } else { words };
+    let vertices: Vec<i32> = scene.vertices.iter().flatten().copied().collect();
+    let rows: Vec<IVec4> = scene.instances.iter().flatten().copied().collect();
+    Mesh {
+        vertices: job.slice("vertices", if vertices.is_empty() { &[0] } else { &vertices[..] }),
+        vertex_count: scene.vertices.len() as u32,
+        indices: job.slice("indices", &or_one(scene.triangles.iter().flatten().copied().collect())),
+        triangle_count: scene.triangles.len() as u32,
+        rows: job.slice("rows", if rows.is_empty() { &[IVec4::ZERO] } else { &rows[..] }),
+        instance_count: scene.instances.len() as u32,
+    }
 }

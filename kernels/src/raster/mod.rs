@@ -11,15 +11,18 @@ use std::sync::Arc;
 use bytemuck::Zeroable;
 use glam::IVec4;
 use sightlines_backend::host::{Bindings, Buffer};
-use sightlines_backend::{Define, Error, Job, Kernel, Program, Result, bindings, host};
+use sightlines_backend::{Define, Error, Groups, Job, Kernel, Program, Result, bindings, host};
 
 use crate::pieces;
+use crate::scan::{Kind, Scan};
 
 mod cases;
+mod mesh;
 pub mod meshes;
 pub mod oracle;
 mod view;
 
+pub use mesh::{Faces, Ids, MAX_POINTS, MAX_TRIANGLES, Mesh};
 pub use view::{CLIP, Picture, Placement, View};
 
 /// This kernel in the registry.
@@ -29,7 +32,7 @@ pub const KERNEL: Kernel = Kernel {
     citation: "Laine and Karras, High-Performance Software Rasterization on GPUs, 2011, section 3; Engelhardt and \
                Dachsbacher, Granular Visibility Queries on the GPU, 2009, section 3",
     programs: || {
-        let Raster { depth, items } = Raster::new()?;
+        let Raster { depth, items, .. } = Raster::new()?;
         Ok(vec![depth, items])
     },
     cases: cases::all,
@@ -41,66 +44,11 @@ pub const FAR: u32 = u32::MAX;
 /// Item of a pixel that nothing covers.
 pub const NOTHING: u32 = u32::MAX;
 
-/// Most vertices of all instances of a mesh: they fill a binding of 128 MiB.
-pub const MAX_POINTS: u32 = 1 << 23;
-
-/// Most triangles of all instances of a mesh.
-pub const MAX_TRIANGLES: u32 = 1 << 30;
-
 /// Items a workgroup.
 const GROUP: u32 = 256;
 
-/// Triangles of one workgroup of `large`.
-const LARGE: u32 = 32;
-
-/// Most turns of the loops over tiles that a triangle takes in a band of rows. Each of `LARGE` triangles, or of twice
-/// as many where the near plane cuts them in two, takes these and 181 for its slopes: 49,473 turns at most with what
-/// is around them (docs/numerics.md, Turns of loops).
-const TILE_TURNS: u32 = 590;
-
 /// Words that a triangle drawn by one lane may touch: its vertices, and a depth and an item for each of its pixels.
 const SMALL_WORDS: u32 = 15 + 2 * 256;
-
-/// Which sides of triangles are drawn. Clockwise is as the viewer sees it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Faces {
-    /// Both.
-    All = 3,
-    /// Triangles that turn clockwise.
-    Clockwise = 1,
-    /// Triangles that turn counter-clockwise.
-    CounterClockwise = 2,
-}
-
-/// Item ids of a mesh: `base + instance * step + (triangle >> shift)`, modulo 2^32. `shift` is at most 31.
-///
-/// With `step` 1 and `shift` 31 an item is an instance; with a smaller `shift`, a cluster of 2^shift triangles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Ids {
-    /// Id of the first instance.
-    pub base: u32,
-    /// Ids from one instance to the next.
-    pub step: u32,
-    /// Logarithm of the triangles of a cluster.
-    pub shift: u32,
-}
-
-/// A mesh and its instances, on the device.
-#[derive(Clone, Copy, Debug)]
-pub struct Mesh {
-    /// Three coordinates a vertex, each in [-2^15, 2^15).
-    pub vertices: Buffer<[i32]>,
-    /// Number of vertices.
-    pub vertex_count: u32,
-    /// Three vertices a triangle; a triangle with a vertex that does not exist is not drawn.
-    pub indices: Buffer<[u32]>,
-    /// Number of triangles.
-    pub triangle_count: u32,
-    /// Four rows an instance, as [`Placement::rows`] has them.
-    pub rows: Buffer<[IVec4]>,
-    /// Number of instances.
-    pub instance_count: u32,
-}
 
 /// A mesh whose vertices are on the screen.
 #[derive(Clone, Copy, Debug)]
@@ -108,7 +56,10 @@ pub struct Projected {
     mesh: Mesh,
     view: View,
     screen: Buffer<[IVec4]>,
-    marks: Buffer<[u32]>,
+    /// The triangles that `large` draws.
+    list: Buffer<[u32]>,
+    /// How many workgroups take them, piece by piece.
+    workgroups: Buffer<[u32]>,
     /// Bound in place of an item buffer where depths alone are drawn.
     no_items: Buffer<[u32]>,
 }
@@ -131,6 +82,7 @@ impl Projected {
             triangles: triangle_count,
             instances: instance_count,
             band: self.view.picture.band(),
+            piece: self.mesh.large_piece(self.view.picture),
             ..Params::zeroed()
         }
     }
@@ -163,6 +115,8 @@ host! {
         pub band: u32,
         /// Added to the depth that a point is compared with.
         pub bias: u32,
+        /// Most listed triangles of a launch of `large`.
+        pub piece: u32,
         /// Number of the first workgroup.
         pub first: u32,
     }
@@ -183,12 +137,35 @@ bindings! {
         write projected @ 4: [IVec4],
     }
 
+    /// What `sort` is given.
+    pub struct Sort {
+        uniform params @ 0: Params,
+        read indices @ 2: [u32],
+        read screen @ 5: [IVec4],
+        write marks @ 6: [u32],
+    }
+
+    /// What `list` is given.
+    pub struct List {
+        uniform params @ 0: Params,
+        read known_marks @ 11: [u32],
+        read marks_before @ 12: [u32],
+        write large_list @ 13: [u32],
+    }
+
+    /// What `arguments` is given.
+    pub struct Arguments {
+        uniform params @ 0: Params,
+        read known_marks @ 11: [u32],
+        read marks_before @ 12: [u32],
+        write workgroups @ 14: [u32],
+    }
+
     /// What `small` is given.
     pub struct Small {
         uniform params @ 0: Params,
         read indices @ 2: [u32],
         read screen @ 5: [IVec4],
-        write marks @ 6: [u32],
         write depth @ 8: [u32],
         write items @ 9: [u32],
     }
@@ -200,7 +177,7 @@ bindings! {
         read indices @ 2: [u32],
         read rows @ 3: [IVec4],
         read screen @ 5: [IVec4],
-        read marked @ 7: [u32],
+        read listed @ 7: [u32],
         write depth @ 8: [u32],
         write items @ 9: [u32],
     }
@@ -218,6 +195,7 @@ bindings! {
 pub struct Raster {
     depth: Arc<Program>,
     items: Arc<Program>,
+    scan: Scan,
 }
 
 impl Raster {
@@ -227,12 +205,15 @@ impl Raster {
             let program = crate::program("raster", name, &[Define::new("ITEMS", items)])?;
             Clear::check(&program, "clear")?;
             Project::check(&program, "project")?;
+            Sort::check(&program, "sort")?;
+            List::check(&program, "list")?;
+            Arguments::check(&program, "arguments")?;
             Small::check(&program, "small")?;
             Large::check(&program, "large")?;
             Points::check(&program, "points")?;
             Ok::<_, Error>(program)
         };
-        Ok(Raster { depth: variant("depth", false)?, items: variant("items", true)? })
+        Ok(Raster { depth: variant("depth", false)?, items: variant("items", true)?, scan: Scan::new()? })
     }
 
     /// Sets the words of a depth buffer to [`FAR`], or those of an item buffer to [`NOTHING`], which are the same.
@@ -247,21 +228,50 @@ impl Raster {
         Ok(())
     }
 
-    /// Puts the vertices of all instances on the screen.
+    /// Puts the vertices of all instances on the screen, and lists the triangles that are more than a few pixels wide.
     pub fn project(&self, job: &mut Job, view: View, mesh: Mesh) -> Result<Projected> {
         view.check()?;
         mesh.check()?;
-        let screen = job.zeroed("raster screen", u64::from(mesh.points()).max(1));
-        let marks = job.zeroed("raster marks", u64::from(mesh.triangles().div_ceil(32)).max(1));
-        let projected = Projected { mesh, view, screen, marks, no_items: job.zeroed("no items", 1) };
+        let pieces = mesh.triangles().max(1).div_ceil(mesh.large_piece(view.picture));
+        let projected = Projected {
+            mesh,
+            view,
+            screen: job.zeroed("raster screen", u64::from(mesh.points()).max(1)),
+            list: job.zeroed("raster list", mesh.places()),
+            workgroups: job.zeroed("raster workgroups", 3 * u64::from(pieces)),
+            no_items: job.zeroed("no items", 1),
+        };
         let program = job.program(&self.depth);
         // Three coordinates, four rows and four words written, at most.
         pieces::record(job, mesh.points().div_ceil(GROUP), u64::from(23 * GROUP), |job, piece| {
             let params = job.value("raster params", &Params { first: piece.start, ..projected.params() });
-            let bound = Project { params, vertices: mesh.vertices, rows: mesh.rows, projected: screen };
+            let Projected { mesh: Mesh { vertices, rows, .. }, screen, .. } = projected;
+            let bound = Project { params, vertices, rows, projected: screen };
             job.launch(program, "project", &bound, [piece.len() as u32, 1, 1]);
         });
+        self.sort(job, &projected)?;
         Ok(projected)
+    }
+
+    fn sort(&self, job: &mut Job, projected: &Projected) -> Result<()> {
+        let Projected { mesh, screen, list, workgroups, .. } = *projected;
+        let [marks, before] = ["raster marks", "marks before"].map(|name| job.zeroed(name, mesh.places()));
+        let program = job.program(&self.depth);
+        let groups = mesh.triangles().div_ceil(GROUP);
+        let params = |job: &mut Job, first| job.value("raster params", &Params { first, ..projected.params() });
+        pieces::record(job, groups, u64::from(16 * GROUP), |job, piece| {
+            let bound = Sort { params: params(job, piece.start), indices: mesh.indices, screen, marks };
+            job.launch(program, "sort", &bound, [piece.len() as u32, 1, 1]);
+        });
+        self.scan.record(job, Kind::Exclusive, mesh.triangles(), marks, before)?;
+        pieces::record(job, groups, u64::from(3 * GROUP), |job, piece| {
+            let params = params(job, piece.start);
+            let bound = List { params, known_marks: marks, marks_before: before, large_list: list };
+            job.launch(program, "list", &bound, [piece.len() as u32, 1, 1]);
+        });
+        let bound = Arguments { params: params(job, 0), known_marks: marks, marks_before: before, workgroups };
+        job.launch(program, "arguments", &bound, [(workgroups.len() as u32).div_ceil(3 * 64), 1, 1]);
+        Ok(())
     }
 
     /// Takes the depths of a mesh into the minimum: `depth` has a word a pixel.
@@ -305,21 +315,21 @@ impl Raster {
         params: Params,
         [depth, items]: [Buffer<[u32]>; 2],
     ) {
-        let Projected { mesh, screen, marks, .. } = *projected;
+        let Projected { mesh, screen, list, workgroups, .. } = *projected;
         let Mesh { vertices, indices, rows, .. } = mesh;
         let program = job.program(program);
         let groups = mesh.triangles().div_ceil(GROUP);
         pieces::record(job, groups, u64::from(SMALL_WORDS * GROUP), |job, piece| {
             let params = job.value("raster params", &Params { first: piece.start, ..params });
-            let bound = Small { params, indices, screen, marks, depth, items };
+            let bound = Small { params, indices, screen, depth, items };
             job.launch(program, "small", &bound, [piece.len() as u32, 1, 1]);
         });
-        let bands = params.height.div_ceil(params.band);
-        let words = (projected.view.picture.pixels() / 32).max(GROUP);
-        pieces::record(job, mesh.triangles().div_ceil(LARGE), u64::from(words), |job, piece| {
+        pieces::record(job, mesh.triangles(), Mesh::large_words(projected.view.picture), |job, piece| {
+            let offset = 12 * u64::from(piece.start / params.piece);
             let params = job.value("raster params", &Params { first: piece.start, ..params });
-            let bound = Large { params, vertices, indices, rows, screen, marked: marks, depth, items };
-            job.launch(program, "large", &bound, [piece.len() as u32, bands, 1]);
+            let bound = Large { params, vertices, indices, rows, screen, listed: list, depth, items };
+            let groups = Groups::Indirect { buffer: workgroups.id(), offset };
+            job.launch_with(program, "large", &bound, &[], groups);
         });
     }
 
@@ -346,38 +356,5 @@ impl Raster {
             job.launch(program, "points", &Points { params, screen, depth, seen }, [piece.len() as u32, 1, 1]);
         });
         Ok(())
-    }
-}
-
-impl Mesh {
-    /// Vertices of all instances.
-    pub fn points(&self) -> u32 {
-        self.vertex_count.saturating_mul(self.instance_count)
-    }
-
-    /// Triangles of all instances.
-    pub fn triangles(&self) -> u32 {
-        self.triangle_count.saturating_mul(self.instance_count)
-    }
-
-    fn check(&self) -> Result<()> {
-        let Mesh { vertex_count, triangle_count, instance_count, .. } = *self;
-        if self.points() > MAX_POINTS || self.triangles() > MAX_TRIANGLES {
-            let what = format!("{instance_count} instances of {vertex_count} vertices and {triangle_count} triangles");
-            let remedy = format!(
-                "draw them in several meshes, each of at most {MAX_POINTS} vertices and {MAX_TRIANGLES} triangles of all \
-                 instances"
-            );
-            return Err(Error::refused(what, remedy));
-        }
-        let needs = [
-            ("coordinates", self.vertices.len(), 3 * u64::from(vertex_count)),
-            ("indices", self.indices.len(), 3 * u64::from(triangle_count)),
-            ("rows", self.rows.len(), 4 * u64::from(instance_count)),
-        ];
-        let short = needs.iter().find(|(_, have, need)| have < need);
-        short.map_or(Ok(()), |(name, have, need)| {
-            Err(Error::refused(format!("a mesh with {have} {name}"), format!("give {need} {name}")))
-        })
     }
 }

@@ -5,10 +5,8 @@
 use glam::IVec4;
 use sightlines_backend::{Error, Result};
 
-use super::TILE_TURNS;
-
-/// Sides of a tile in pixels.
-const TILE: u32 = 16;
+/// Rows of a band.
+const BAND: u32 = 512;
 
 /// Clip coordinates are clamped to [-CLIP, CLIP].
 pub const CLIP: i32 = 1 << 25;
@@ -31,11 +29,9 @@ impl Picture {
         self.width.checked_mul(self.height).unwrap_or(0)
     }
 
-    /// Rows that a workgroup of `large` draws: as many rows of tiles as [`TILE_TURNS`] allow, which are at least two. A
-    /// row of tiles takes a turn each, one to find its end, and one of its own.
+    /// Rows that a workgroup draws of a triangle: few enough that one large triangle is many workgroups.
     pub(super) fn band(&self) -> u32 {
-        let turns = self.width.div_ceil(TILE) + 2;
-        (TILE * ((TILE_TURNS - 1) / turns)).min(self.height)
+        self.height.min(BAND)
     }
 
     pub(super) fn check(&self, words: u64) -> Result<()> {

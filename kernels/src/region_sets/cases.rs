@@ -1,13 +1,13 @@
 //! From no object to 2,000: figures of the paper, rectangles that nest and touch, discs on a screen, small limits.
 //!
-//! A case makes regions, paints every channel from an item buffer, sums the tables and counts, in the whole picture and
-//! in a part of it for each object. Objects are squares or the discs of a screen, outlined by octagons.
+//! A case makes regions, paints all channels from an item buffer, sums the tables and counts, in the whole picture and
+//! in a part of it for each object; and weights of the pixels, by two channels at a time. Objects are squares or the discs of a screen, outlined by octagons.
 
 use glam::UVec4;
 use sightlines_backend::{Case, Expected, Job, Result, Size};
 
 use super::oracle::{self, Object};
-use super::{MAX_REGIONS, NONE, RegionSets, Shape};
+use super::{MAX_MET, MAX_REGIONS, NONE, RegionSets, Shape};
 use crate::sat::{Extent, Sat};
 use crate::{pieces, random};
 
@@ -18,7 +18,7 @@ type Screen = (Vec<Object>, Vec<u32>);
 type Make = fn(u32, u32) -> Screen;
 
 pub(super) fn all() -> Vec<Case> {
-    let small = |name, channels, limit, make: Make| case(name, Size::Small, (channels, limit), (64, 48), make);
+    let small = |name, channels, limit, make: Make| case(name, Size::Small, [channels, limit, MAX_MET], [64, 48], make);
     vec![
         small("nothing", 4, 64, |w, h| squares(w, h, &[])),
         small("one", 4, 64, |w, h| squares(w, h, &[[3, 2, 40, 30]])),
@@ -40,9 +40,12 @@ pub(super) fn all() -> Vec<Case> {
         small("limit_6", 2, 6, |w, h| discs(40, w, h, 2)),
         small("one_past_word", 3, 16, |w, h| discs(33, w, h, 3)),
         small("one_past_group", 8, 8, |w, h| discs(257, w, h, 4)),
-        case("met_by_1999", Size::Real, (1, 9), (136, 135), met_by_many),
-        case("discs_300", Size::Real, (4, 32), (512, 512), |w, h| scattered(300, w, h, 5)),
-        case("discs_2000", Size::Real, (8, 9), (1024, 1024), |w, h| scattered(2000, w, h, 6)),
+        case("met_by_none", Size::Small, [2, 64, 0], [64, 48], |w, h| discs(40, w, h, 2)),
+        case("met_by_5", Size::Small, [2, 64, 5], [64, 48], |w, h| discs(40, w, h, 2)),
+        case("met_by_1999", Size::Real, [1, 64, MAX_MET], [136, 135], met_by_many),
+        case("discs_300", Size::Real, [4, 32, MAX_MET], [512, 512], |w, h| scattered(300, w, h, 5)),
+        case("discs_1000_dense", Size::Real, [2, 64, MAX_MET], [768, 512], |w, h| discs(1000, w, h, 7)),
+        case("discs_2000", Size::Real, [8, 64, MAX_MET], [1024, 1024], |w, h| scattered(2000, w, h, 6)),
     ]
 }
 
@@ -134,8 +137,8 @@ fn discs_of(count: u32, radius: u32, [width, height]: [u32; 2], seed: u32) -> Sc
     (objects, items)
 }
 
-fn case(name: &str, size: Size, (channels, limit): (u32, u32), (width, height): (u32, u32), make: Make) -> Case {
-    let shape = move |objects: &[Object]| Shape { objects: objects.len() as u32, channels, limit, width, height };
+fn case(name: &str, size: Size, [channels, limit, met]: [u32; 3], [width, height]: [u32; 2], make: Make) -> Case {
+    let shape = move |objects: &[Object]| Shape { objects: objects.len() as u32, channels, limit, met, width, height };
     let expected = move |_: &_| {
         let (objects, items) = make(width, height);
         answer(&objects, &items, shape(&objects))
@@ -157,10 +160,18 @@ fn queries(objects: usize, Shape { width, height, .. }: Shape) -> [Vec<[u32; 4]>
     [vec![[0, 0, u32::MAX, height]; objects], (0..objects).map(part).collect()]
 }
 
+/// Weights of the pixels.
+fn weights(shape: Shape) -> Vec<u32> {
+    (0..shape.width * shape.height).map(|pixel| random::below(256, 41, pixel)).collect()
+}
+
 /// What each buffer holds; an object that is not there has one place of zeros.
 fn answer(objects: &[Object], items: &[u32], shape: Shape) -> Vec<Expected> {
     let (colours, regions) = oracle::regions(objects, shape);
-    let images: Vec<Vec<u32>> = (0..shape.channels).map(|c| oracle::paint(&regions, shape, c, items)).collect();
+    let painted = |weights: &[u32]| -> Vec<Vec<u32>> {
+        (0..shape.channels).map(|c| oracle::paint(&regions, shape, c, items, weights)).collect()
+    };
+    let (images, weighted) = (painted(&vec![1; items.len()]), painted(&weights(shape)));
     let queries = queries(objects.len(), shape);
     let places = objects.len().max(1);
     let padded = |mut words: Vec<u32>, count: usize| {
@@ -179,6 +190,7 @@ fn answer(objects: &[Object], items: &[u32], shape: Shape) -> Vec<Expected> {
         slots(&|r| vec![r.channel], most),
         padded(oracle::counts(&regions, shape, &images, &queries[0]), places),
         padded(oracle::counts(&regions, shape, &images, &queries[1]), places),
+        padded(oracle::counts(&regions, shape, &weighted, &queries[0]), places),
     ];
     outputs.map(Expected::Whole).into()
 }
@@ -198,16 +210,23 @@ fn job(objects: &[Object], items: &[u32], shape: Shape) -> Result<Job> {
         job.slice("queries", &queries)
     });
     let regions = kernel.record(&mut job, shape, rectangles, outlines)?;
-    let sums = ["sums", "part_sums"].map(|name| job.zeroed(name, places as u64));
-    let pixels = u64::from(shape.width * shape.height);
-    let (image, table) = (job.zeroed("image", pixels), job.zeroed("table", pixels));
-    for channel in 0..shape.channels {
+    let sums = ["sums", "part_sums", "weight_sums"].map(|name| job.zeroed(name, places as u64));
+    let extent = Extent { width: shape.width, height: shape.height };
+    let planes = extent.pixels() * u64::from(shape.channels);
+    let (images, tables) = (job.zeroed("images", planes), job.zeroed("tables", planes));
+    pieces::cut(&mut job);
+    kernel.record_paint(&mut job, &regions, 0..shape.channels, items, images)?;
+    sat.record(&mut job, (extent, shape.channels), images, tables)?;
+    for (sums, queries) in sums.into_iter().zip(queries) {
+        kernel.record_count(&mut job, &regions, 0..shape.channels, [tables, sums], queries)?;
+    }
+    let weights = job.slice("weights", &weights(shape));
+    for first in (0..shape.channels).step_by(2) {
+        let some = first..(first + 2).min(shape.channels);
         pieces::cut(&mut job);
-        kernel.record_paint(&mut job, &regions, channel, items, image)?;
-        sat.record(&mut job, Extent { width: shape.width, height: shape.height }, image, table)?;
-        for (sums, queries) in sums.into_iter().zip(queries) {
-            kernel.record_count(&mut job, &regions, channel, [table, sums], queries)?;
-        }
+        kernel.record_paint_weights(&mut job, &regions, some.clone(), [items, weights], images)?;
+        sat.record(&mut job, (extent, some.len() as u32), images, tables)?;
+        kernel.record_count(&mut job, &regions, some, [tables, sums[2]], queries[0])?;
     }
     job.read("channels", regions.channel_of.id());
     job.read("counts", regions.counts.id());
@@ -215,5 +234,6 @@ fn job(objects: &[Object], items: &[u32], shape: Shape) -> Result<Job> {
     job.read("region_channels", regions.channels.id());
     job.read("sums", sums[0].id());
     job.read("part_sums", sums[1].id());
+    job.read("weight_sums", sums[2].id());
     Ok(job)
 }

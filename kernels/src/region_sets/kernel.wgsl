@@ -9,8 +9,9 @@
 // rectangle of one conflict object after another (split.wgsl). The regions of an object are disjoint and hold all its
 // pixels, so a count is never less than what is visible; it is more only where two objects share a channel.
 //
-// `paint` draws an item buffer in one channel: 1 where the pixel's region is of that channel. `count` adds the sums of
-// a channel's table over the regions of every object, cut to a rectangle of the object's own.
+// `paint` draws an item buffer in several channels, one after another: 1 where the pixel's region is of that channel;
+// `paint_weights` draws a weight instead of 1 (section 5: visibility that is not binary). `count` adds the sums of the
+// channels' tables over the regions of every object, cut to a rectangle of the object's own.
 
 import package::region_sets::colour::colour_graph;
 import package::region_sets::split::split_object;
@@ -24,11 +25,14 @@ struct Params {
     channels: u32,
     /// Most regions of an object, 1 to 64.
     limit: u32,
+    /// Most regions of others that an object is divided by.
+    met: u32,
     /// Columns and rows of the picture; a table has as many.
     width: u32,
     height: u32,
-    /// The channel that is painted or counted.
+    /// The channels that are painted or counted: the first, and the one past the last.
     channel: u32,
+    end: u32,
     /// Number of the first workgroup, or the object that is divided.
     first: u32,
 }
@@ -54,12 +58,15 @@ struct Params {
 @group(0) @binding(12) var<storage, read> known_channels: array<u32>;
 /// Object of every pixel, or any word past them.
 @group(0) @binding(13) var<storage, read> items: array<u32>;
+/// The painted channels, one after another.
 @group(0) @binding(14) var<storage, read_write> image: array<u32>;
-/// Summed-area table of a channel.
+/// Their summed-area tables.
 @group(0) @binding(15) var<storage, read> table: array<u32>;
 /// What of each object is asked for.
 @group(0) @binding(16) var<storage, read> queries: array<vec4<u32>>;
 @group(0) @binding(17) var<storage, read_write> sums: array<u32>;
+/// Weight of every pixel.
+@group(0) @binding(18) var<storage, read> weights: array<u32>;
 
 /// Words of a row of bits.
 fn row_words() -> u32 {
@@ -114,30 +121,50 @@ fn split(@builtin(local_invocation_index) lane: u32) {
     }
 }
 
-@compute @workgroup_size(256)
-fn paint(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    let place = (params.first + group.x) * 256u + lane;
-    if (place >= params.width * params.height) {
-        return;
-    }
+/// The channel of a pixel's region, or `NONE`.
+fn channel_at(place: u32) -> u32 {
     let item = items[place];
     let pixel = vec2<u32>(place % params.width, place / params.width);
-    var value = 0u;
+    var channel = NONE;
     if (item < params.objects) {
         for (var i = 0u; i < known_counts[item]; i += 1u) {
             let r = known_regions[64u * item + i];
             let inside = all(pixel >= r.xy) & all(pixel < r.zw);
-            value |= select(0u, 1u, inside & (known_channels[64u * item + i] == params.channel));
+            channel = select(channel, known_channels[64u * item + i], inside);
         }
     }
-    image[place] = value;
+    return channel;
 }
 
-/// Sum over the columns left of x and the rows above y.
-fn corner(x: u32, y: u32) -> u32 {
+fn paint_pixel(place: u32, value: u32) {
+    let own = channel_at(place);
+    for (var channel = params.channel; channel < params.end; channel += 1u) {
+        let at = (channel - params.channel) * params.width * params.height + place;
+        image[at] = select(0u, value, channel == own);
+    }
+}
+
+@compute @workgroup_size(256)
+fn paint(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    let place = (params.first + group.x) * 256u + lane;
+    if (place < params.width * params.height) {
+        paint_pixel(place, 1u);
+    }
+}
+
+@compute @workgroup_size(256)
+fn paint_weights(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    let place = (params.first + group.x) * 256u + lane;
+    if (place < params.width * params.height) {
+        paint_pixel(place, weights[place]);
+    }
+}
+
+/// Sum over the columns left of x and the rows above y of the table that begins at `start`.
+fn corner(start: u32, x: u32, y: u32) -> u32 {
     var sum = 0u;
     if ((x > 0u) & (y > 0u)) {
-        sum = table[(y - 1u) * params.width + x - 1u];
+        sum = table[start + (y - 1u) * params.width + x - 1u];
     }
     return sum;
 }
@@ -152,8 +179,10 @@ fn count(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_inde
     var sum = 0u;
     for (var i = 0u; i < known_counts[object]; i += 1u) {
         let r = shared_part(query, known_regions[64u * object + i]);
-        if (!is_empty(r) & (known_channels[64u * object + i] == params.channel)) {
-            sum += corner(r.z, r.w) - corner(r.x, r.w) - corner(r.z, r.y) + corner(r.x, r.y);
+        let channel = known_channels[64u * object + i];
+        if (!is_empty(r) & (channel >= params.channel) & (channel < params.end)) {
+            let start = (channel - params.channel) * params.width * params.height;
+            sum += corner(start, r.z, r.w) - corner(start, r.x, r.w) - corner(start, r.z, r.y) + corner(start, r.x, r.y);
         }
     }
     sums[object] += sum;

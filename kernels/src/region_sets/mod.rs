@@ -6,6 +6,7 @@
 //! this folder state every step and every choice that the paper leaves open. Invariant: the regions of an object are
 //! disjoint and hold all its pixels, so no count is ever less than what is visible.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use bytemuck::Zeroable;
@@ -36,8 +37,8 @@ pub const MAX_CHANNELS: u32 = 8;
 /// Places for regions that an object has, of which `limit` may be used.
 pub const MAX_REGIONS: u32 = 64;
 
-/// Most of `objects * (limit + 2)`: what the regions that an object may meet cost the one workgroup that divides it.
-pub const MAX_MET: u32 = 22_000;
+/// Most regions of others that an object is divided by: what one workgroup does (docs/numerics.md, Turns of loops).
+pub const MAX_MET: u32 = 18_000;
 
 /// Corners of an outline.
 pub const CORNERS: u32 = 8;
@@ -60,12 +61,16 @@ host! {
         pub channels: u32,
         /// Most regions of an object.
         pub limit: u32,
+        /// Most regions of others that an object is divided by.
+        pub met: u32,
         /// Columns of the picture.
         pub width: u32,
         /// Rows of the picture.
         pub height: u32,
-        /// The channel that is painted or counted.
+        /// The first channel that is painted or counted.
         pub channel: u32,
+        /// The one past the last.
+        pub end: u32,
         /// Number of the first workgroup, or the object that is divided.
         pub first: u32,
     }
@@ -112,6 +117,17 @@ bindings! {
         write image @ 14: [u32],
     }
 
+    /// What `paint_weights` is given.
+    pub struct PaintWeights {
+        uniform params @ 0: Params,
+        read known_counts @ 10: [u32],
+        read known_regions @ 11: [UVec4],
+        read known_channels @ 12: [u32],
+        read items @ 13: [u32],
+        write image @ 14: [u32],
+        read weights @ 18: [u32],
+    }
+
     /// What `count` is given.
     pub struct Count {
         uniform params @ 0: Params,
@@ -131,9 +147,11 @@ pub struct Shape {
     pub objects: u32,
     /// Number of channels, 1 to [`MAX_CHANNELS`].
     pub channels: u32,
-    /// Most regions of an object, 1 to [`MAX_REGIONS`]; beyond it visibility is over-estimated. With `objects` it keeps
-    /// to [`MAX_MET`].
+    /// Most regions of an object, 1 to [`MAX_REGIONS`]; beyond it visibility is over-estimated.
     pub limit: u32,
+    /// Most regions of others that an object is divided by, at most [`MAX_MET`]; where there are more, visibility is
+    /// over-estimated.
+    pub met: u32,
     /// Columns of the picture, 1 to 4096.
     pub width: u32,
     /// Rows of the picture, 1 to 4096.
@@ -167,6 +185,7 @@ impl RegionSets {
         Colour::check(&program, "colour")?;
         Split::check(&program, "split")?;
         Paint::check(&program, "paint")?;
+        PaintWeights::check(&program, "paint_weights")?;
         Count::check(&program, "count")?;
         Ok(RegionSets { program })
     }
@@ -183,7 +202,7 @@ impl RegionSets {
         outlines: Buffer<[IVec2]>,
     ) -> Result<Regions> {
         shape.check()?;
-        let Shape { objects, channels, limit, width, height } = shape;
+        let objects = shape.objects;
         let corners = u64::from(CORNERS * objects);
         if rectangles.len() < u64::from(objects) || outlines.len() < corners {
             let what = format!("{objects} objects with {} rectangles and {} corners", rectangles.len(), outlines.len());
@@ -199,7 +218,7 @@ impl RegionSets {
             rectangles: job.zeroed("regions", places * u64::from(MAX_REGIONS)),
             channels: job.zeroed("region channels", places * u64::from(MAX_REGIONS)),
         };
-        let params = Params { objects, channels, limit, width, height, ..Params::zeroed() };
+        let params = shape.params();
         let program = job.program(&self.program);
         pieces::record(job, words.div_ceil(GROUP), u64::from(32 * 4 * GROUP), |job, piece| {
             let params = job.value("region params", &Params { first: piece.start, ..params });
@@ -240,66 +259,92 @@ impl RegionSets {
         Ok(regions)
     }
 
-    /// Paints a channel: 1 in every pixel of `image` whose item, an object's number, has its region there in the
-    /// channel; 0 in the others. Both have a word a pixel.
+    /// Paints a range of channels into `image`, one after another: 1 in every pixel whose item, an object's number, has
+    /// its region there in the channel; 0 in the others. A word a pixel, and a word a pixel and channel.
     pub fn record_paint(
         &self,
         job: &mut Job,
         regions: &Regions,
-        channel: u32,
+        channels: Range<u32>,
         items: Buffer<[u32]>,
         image: Buffer<[u32]>,
     ) -> Result<()> {
-        let pixels = regions.shape.width * regions.shape.height;
-        if items.len().min(image.len()) < u64::from(pixels) {
-            let what = format!("{} items and {} words for {pixels} pixels", items.len(), image.len());
-            return Err(Error::refused(what, "give one word a pixel"));
-        }
-        let program = job.program(&self.program);
-        pieces::record(job, pixels.div_ceil(GROUP), u64::from(32 * GROUP), |job, piece| {
-            let params = job.value("region params", &Params { channel, first: piece.start, ..regions.params() });
-            let Regions { counts, rectangles, channels, .. } = *regions;
-            let bound = Paint {
-                params,
-                known_counts: counts,
-                known_regions: rectangles,
-                known_channels: channels,
-                items,
-                image,
-            };
-            job.launch(program, "paint", &bound, [piece.len() as u32, 1, 1]);
+        let Regions { shape, counts: known_counts, rectangles: known_regions, channels: known_channels, .. } = *regions;
+        shape.check_planes(&channels, items.len(), image.len())?;
+        self.painted(job, shape, channels, "paint", |params| Paint {
+            params,
+            known_counts,
+            known_regions,
+            known_channels,
+            items,
+            image,
         });
         Ok(())
     }
 
-    /// Adds to `sums`, a word an object, the pixels that `table` of a channel has in the object's regions, cut to its
-    /// rectangle of `queries`. Over all channels this is the object's visible count there, or more.
+    /// Paints the weights of pixels instead of ones: what is counted is then their sum, modulo 2³².
+    pub fn record_paint_weights(
+        &self,
+        job: &mut Job,
+        regions: &Regions,
+        channels: Range<u32>,
+        [items, weights]: [Buffer<[u32]>; 2],
+        image: Buffer<[u32]>,
+    ) -> Result<()> {
+        let Regions { shape, counts: known_counts, rectangles: known_regions, channels: known_channels, .. } = *regions;
+        shape.check_planes(&channels, items.len().min(weights.len()), image.len())?;
+        self.painted(job, shape, channels, "paint_weights", |params| PaintWeights {
+            params,
+            known_counts,
+            known_regions,
+            known_channels,
+            items,
+            image,
+            weights,
+        });
+        Ok(())
+    }
+
+    fn painted<B: Bindings>(
+        &self,
+        job: &mut Job,
+        shape: Shape,
+        channels: Range<u32>,
+        entry: &str,
+        bound: impl Fn(Buffer<Params>) -> B,
+    ) {
+        let program = job.program(&self.program);
+        let words = u64::from(32 + channels.end - channels.start) * u64::from(GROUP);
+        pieces::record(job, (shape.width * shape.height).div_ceil(GROUP), words, |job, piece| {
+            let params = Params { first: piece.start, ..shape.params_of(&channels) };
+            let bound = bound(job.value("region params", &params));
+            job.launch(program, entry, &bound, [piece.len() as u32, 1, 1]);
+        });
+    }
+
+    /// Adds to `sums`, a word an object, the pixels that the tables of a range of channels, one after another, have in
+    /// the object's regions, cut to its rectangle of `queries`. Over all channels this is the object's visible count
+    /// there, or more.
     pub fn record_count(
         &self,
         job: &mut Job,
         regions: &Regions,
-        channel: u32,
-        [table, sums]: [Buffer<[u32]>; 2],
+        channels: Range<u32>,
+        [tables, sums]: [Buffer<[u32]>; 2],
         queries: Buffer<[UVec4]>,
     ) -> Result<()> {
-        let Shape { objects, width, height, .. } = regions.shape;
-        if table.len() < u64::from(width * height) || sums.len().min(queries.len()) < u64::from(objects) {
+        let Regions { shape, counts: known_counts, rectangles: known_regions, channels: known_channels, .. } = *regions;
+        let objects = shape.objects;
+        shape.check_planes(&channels, u64::MAX, tables.len())?;
+        if sums.len().min(queries.len()) < u64::from(objects) {
             let what = format!("{objects} objects with {} sums and {} queries", sums.len(), queries.len());
-            return Err(Error::refused(what, "give a table of the picture, and a sum and a query an object"));
+            return Err(Error::refused(what, "give a sum and a query an object"));
         }
         let program = job.program(&self.program);
         pieces::record(job, objects.div_ceil(GROUP), u64::from(32 * GROUP), |job, piece| {
-            let params = job.value("region params", &Params { channel, first: piece.start, ..regions.params() });
-            let Regions { counts, rectangles, channels, .. } = *regions;
-            let bound = Count {
-                params,
-                known_counts: counts,
-                known_regions: rectangles,
-                known_channels: channels,
-                table,
-                queries,
-                sums,
-            };
+            let params = Params { first: piece.start, ..shape.params_of(&channels) };
+            let params = job.value("region params", &params);
+            let bound = Count { params, known_counts, known_regions, known_channels, table: tables, queries, sums };
             job.launch(program, "count", &bound, [piece.len() as u32, 1, 1]);
         });
         Ok(())
@@ -308,11 +353,12 @@ impl RegionSets {
 
 impl Shape {
     fn check(&self) -> Result<()> {
-        let Shape { objects, channels, limit, width, height } = *self;
+        let Shape { objects, channels, limit, met, width, height } = *self;
         let ranges = [
             ("objects", objects, 0..=MAX_OBJECTS),
             ("channels", channels, 1..=MAX_CHANNELS),
             ("regions", limit, 1..=MAX_REGIONS),
+            ("regions of others", met, 0..=MAX_MET),
             ("columns", width, 1..=4096),
             ("rows", height, 1..=4096),
         ];
@@ -321,22 +367,30 @@ impl Shape {
             let remedy = format!("use {} to {} {name}", range.start(), range.end());
             return Err(Error::refused(format!("region sets with {value} {name}"), remedy));
         }
-        if objects * (limit + 2) > MAX_MET {
-            let what = format!("region sets of {objects} objects with {limit} regions each");
-            let remedy = format!(
-                "use at most {} regions, or {} objects: the regions that one object may meet are divided by at once",
-                MAX_MET / objects - 2,
-                MAX_MET / (limit + 2)
-            );
-            return Err(Error::refused(what, remedy));
+        Ok(())
+    }
+
+    /// Whether a range of channels exists and fits an item buffer and planes of so many words.
+    fn check_planes(&self, channels: &Range<u32>, items: u64, planes: u64) -> Result<()> {
+        let (pixels, count) = (u64::from(self.width * self.height), channels.end.saturating_sub(channels.start));
+        if count == 0 || channels.end > self.channels {
+            let what = format!("channels {} to {} of {}", channels.start, channels.end, self.channels);
+            return Err(Error::refused(what, "give a range of the channels that the regions have"));
+        }
+        if items < pixels || planes < pixels * u64::from(count) {
+            let items = if items == u64::MAX { String::new() } else { format!("{items} items and ") };
+            let what = format!("{items}{planes} words for {pixels} pixels of {count} channels");
+            return Err(Error::refused(what, "give one word a pixel, and one a pixel and channel"));
         }
         Ok(())
     }
-}
 
-impl Regions {
     fn params(&self) -> Params {
-        let Shape { objects, channels, limit, width, height } = self.shape;
-        Params { objects, channels, limit, width, height, ..Params::zeroed() }
+        let Shape { objects, channels, limit, met, width, height } = *self;
+        Params { objects, channels, limit, met, width, height, ..Params::zeroed() }
+    }
+
+    fn params_of(&self, channels: &Range<u32>) -> Params {
+        Params { channel: channels.start, end: channels.end, ..self.params() }
     }
 }

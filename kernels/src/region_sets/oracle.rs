@@ -140,8 +140,13 @@ pub fn regions(objects: &[Object], shape: Shape) -> (Vec<Option<u32>>, Vec<Vec<R
     };
     let mut regions: Vec<Vec<Region>> = objects.iter().zip(&colours).map(whole).collect();
     for (i, object) in objects.iter().enumerate().filter(|(i, _)| colours[*i].is_none()) {
-        let known: Vec<(&Object, Region)> =
-            conflicts[i].iter().flat_map(|&j| regions[j].iter().map(move |r| (&objects[j], *r))).collect();
+        let of = |j: &usize| regions[*j].iter().map(|r| (&objects[*j], *r)).collect::<Vec<(&Object, Region)>>();
+        let reaches = |(other, region): &(&Object, Region)| {
+            common(object.rectangle, region.rectangle)
+                .is_some_and(|v| meets(&object.outline, v) || meets(&other.outline, v))
+        };
+        let known = conflicts[i].iter().flat_map(of).filter(reaches);
+        let known: Vec<(&Object, Region)> = known.take(shape.met as usize).collect();
         let mut pieces = vec![Piece { rectangle: object.rectangle, occupied: vec![false; shape.channels as usize] }];
         for (other, region) in &known {
             let divided = divide(&pieces, object, other, *region, false);
@@ -166,17 +171,17 @@ pub fn regions(objects: &[Object], shape: Shape) -> (Vec<Option<u32>>, Vec<Vec<R
     (colours, regions)
 }
 
-/// The image of a channel.
-pub fn paint(regions: &[Vec<Region>], shape: Shape, channel: u32, items: &[u32]) -> Vec<u32> {
-    let at = |(place, &item): (usize, &u32)| {
+/// The image of a channel: the weight of a pixel whose region is of that channel, else 0.
+pub fn paint(regions: &[Vec<Region>], shape: Shape, channel: u32, items: &[u32], weights: &[u32]) -> Vec<u32> {
+    let at = |(place, (&item, &weight)): (usize, (&u32, &u32))| {
         let (x, y) = (place as u32 % shape.width, place as u32 / shape.width);
         let holds = |r: &Region| {
             let [x0, y0, x1, y1] = r.rectangle;
             r.channel == channel && (x0..x1).contains(&x) && (y0..y1).contains(&y)
         };
-        u32::from(regions.get(item as usize).is_some_and(|regions| regions.iter().any(holds)))
+        if regions.get(item as usize).is_some_and(|regions| regions.iter().any(holds)) { weight } else { 0 }
     };
-    items.iter().enumerate().map(at).collect()
+    items.iter().zip(weights).enumerate().map(at).collect()
 }
 
 /// Section 3.1.3: for every object the painted pixels of its regions' channels, cut to its query.
@@ -212,6 +217,7 @@ pub fn channel_words(colours: &[Option<u32>]) -> Vec<u32> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::region_sets::MAX_MET;
     use crate::region_sets::cases::discs;
 
     fn object(rectangle: [u32; 4]) -> Object {
@@ -220,7 +226,7 @@ mod tests {
     }
 
     fn shape(objects: usize, channels: u32, limit: u32) -> Shape {
-        Shape { objects: objects as u32, channels, limit, width: 64, height: 64 }
+        Shape { objects: objects as u32, channels, limit, met: MAX_MET, width: 64, height: 64 }
     }
 
     #[test]
@@ -265,13 +271,19 @@ mod tests {
 
     #[test]
     fn no_count_is_less_than_what_is_visible_and_few_are_more() {
-        for (count, channels, limit, spare) in
-            [(9, 8, 64, 0), (40, 4, 64, 5), (120, 4, 64, 30), (120, 2, 8, 100), (60, 8, 1, 100)]
-        {
+        for (count, channels, limit, met, spare) in [
+            (9, 8, 64, MAX_MET, 0),
+            (40, 4, 64, MAX_MET, 5),
+            (120, 4, 64, MAX_MET, 30),
+            (120, 2, 8, MAX_MET, 100),
+            (60, 8, 1, MAX_MET, 100),
+            (120, 4, 64, 9, 60),
+        ] {
             let (objects, items) = discs(count, 128, 96, 5);
-            let shape = Shape { width: 128, height: 96, ..shape(objects.len(), channels, limit) };
+            let shape = Shape { met, width: 128, height: 96, ..shape(objects.len(), channels, limit) };
             let (_, regions) = regions(&objects, shape);
-            let images: Vec<Vec<u32>> = (0..channels).map(|c| paint(&regions, shape, c, &items)).collect();
+            let ones = vec![1; items.len()];
+            let images: Vec<Vec<u32>> = (0..channels).map(|c| paint(&regions, shape, c, &items, &ones)).collect();
             let everywhere = vec![[0, 0, 128, 96]; objects.len()];
             let found = counts(&regions, shape, &images, &everywhere);
             let visible = |o: usize| items.iter().filter(|&&item| item == o as u32).count() as u32;

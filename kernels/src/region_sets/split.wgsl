@@ -1,6 +1,10 @@
 // Divides the rectangle of a conflict object among channels, by one workgroup of 64 lanes; a lane owns a piece.
 //
-// The pieces begin as the bounding rectangle. Each region that exists, by objects and then by their regions, divides
+// Regions of others are met by objects and then by their regions: those that exist, overlap the object's rectangle and
+// in whose overlap, by the outlines of the two objects, may be pixels of either; the first `met` of them, the others are
+// left out, and visibility may be over-estimated where they are.
+//
+// The pieces begin as the bounding rectangle. Each region that is met divides
 // every piece that it overlaps and in which its channel is still free. The overlap may hold, by the outlines of the two
 // objects, pixels of neither: nothing happens; only of the other: it is dropped; of this one, or of both: it becomes a
 // piece in which the channel is occupied. What is left of the piece makes up to four more, above, left, right and
@@ -9,9 +13,9 @@
 // are merged, the first pair first. A piece gets the channel in which regions overlap it least, by pixels; lowest
 // number among equals, so a free one if there is one.
 //
-// Invariant: a region of a neighbour costs an invocation one turn of a loop to divide by it and one to weigh it, for
-// nothing beneath loops; a neighbour costs four more. The host refuses what would make 50,000 (docs/numerics.md,
-// Turns of loops).
+// Invariant: a region that is met costs an invocation one turn of a loop to divide by it and one to weigh it, for
+// nothing beneath loops; a neighbour costs four, however many regions it has, as each lane looks at one of them
+// (docs/numerics.md, Turns of loops).
 
 require NONE: u32;
 
@@ -22,6 +26,9 @@ var<workgroup> planes: array<atomic<u32>, 6>;
 /// What comes of all lanes, and what lane 0 tells all.
 var<workgroup> tally: atomic<u32>;
 var<workgroup> head: u32;
+/// A bit for every region of a neighbour, and what lane 0 tells all of them.
+var<workgroup> reaching: array<atomic<u32>, 2>;
+var<workgroup> reaching_head: vec2<u32>;
 
 /// Whether a rectangle lies beyond the line from a to b.
 fn is_beyond(a: vec2<i32>, b: vec2<i32>, low: vec2<i32>, high: vec2<i32>) -> bool {
@@ -52,11 +59,32 @@ fn outline_meets(object: u32, r: vec4<u32>) -> bool {
     return !apart & all(least <= high) & all(most >= low);
 }
 
-fn region_count(object: u32, lane: u32) -> u32 {
-    if (lane == 0u) {
-        head = region_counts[object];
+/// The regions of another object that may share pixels with this one's rectangle, a bit each; uniform.
+fn regions_reaching(object: u32, other: u32, lane: u32) -> vec2<u32> {
+    if (lane < region_counts[other]) {
+        let v = shared_part(rectangles[object], regions[64u * other + lane]);
+        if (!is_empty(v)) {
+            if (outline_meets(object, v) | outline_meets(other, v)) {
+                atomicOr(&reaching[lane / 32u], 1u << (lane % 32u));
+            }
+        }
     }
-    return workgroupUniformLoad(&head);
+    workgroupBarrier();
+    if (lane == 0u) {
+        reaching_head = vec2<u32>(atomicLoad(&reaching[0]), atomicLoad(&reaching[1]));
+        atomicStore(&reaching[0], 0u);
+        atomicStore(&reaching[1], 0u);
+    }
+    return workgroupUniformLoad(&reaching_head);
+}
+
+/// The lowest of 64 bits, of which one is set.
+fn lowest_bit(bits: vec2<u32>) -> u32 {
+    return select(firstTrailingBit(bits.x), 32u + firstTrailingBit(bits.y), bits.x == 0u);
+}
+
+fn without_lowest(bits: vec2<u32>) -> vec2<u32> {
+    return vec2<u32>(bits.x & (bits.x - 1u), select(bits.y, bits.y & (bits.y - 1u), bits.x == 0u));
 }
 
 /// What a piece becomes; `part` is the one in which the channel is occupied, or `NONE`.
@@ -218,57 +246,75 @@ fn merge_pair(count: u32, lane: u32) -> u32 {
     return count - 1u;
 }
 
-/// Adds to `cost`, by channels and clamped to 2^32 - 1, the pixels of the regions of another object in a piece.
-fn add_cost(cost: ptr<function, array<u32, 8>>, r: vec4<u32>, object: u32, other: u32, regions_of_other: u32) {
-    for (var i = 0u; i < regions_of_other; i += 1u) {
-        let at = 64u * other + i;
-        let v = shared_part(r, regions[at]);
-        if (!is_empty(v)) {
-            if (outline_meets(object, v) | outline_meets(other, v)) {
-                let channel = region_channels[at];
-                let pixels = (v.z - v.x) * (v.w - v.y);
-                (*cost)[channel] += min(pixels, NONE - (*cost)[channel]);
-            }
+/// Adds to `cost`, by channels and clamped to 2^32 - 1, the pixels of the region at `at` of another object in a piece.
+fn add_cost(cost: ptr<function, array<u32, 8>>, r: vec4<u32>, object: u32, other: u32, at: u32) {
+    let v = shared_part(r, regions[at]);
+    if (!is_empty(v)) {
+        if (outline_meets(object, v) | outline_meets(other, v)) {
+            let channel = region_channels[at];
+            let pixels = (v.z - v.x) * (v.w - v.y);
+            (*cost)[channel] += min(pixels, NONE - (*cost)[channel]);
         }
     }
 }
 
-/// Writes the regions of a conflict object.
-fn split_object(object: u32, lane: u32) {
-    piece_at[lane] = rectangles[object];
-    occupied_at[lane] = 0u;
+/// Divides the rectangle of an object, piece by piece, by all regions that it meets; returns how many pieces there are.
+fn divide_all(object: u32, lane: u32) -> u32 {
     var count = 1u;
-    workgroupBarrier();
+    var left = params.met;
     for (var word = 0u; word < row_words(); word += 1u) {
         var bits = conflict_bits[object * row_words() + word];
         while (bits != 0u) {
             let other = 32u * word + firstTrailingBit(bits);
             bits &= bits - 1u;
-            let known = region_count(other, lane);
-            for (var i = 0u; i < known; i += 1u) {
-                count = divide_by(object, other, 64u * other + i, count, lane);
+            var found = regions_reaching(object, other, lane);
+            while (((found.x | found.y) != 0u) & (left != 0u)) {
+                count = divide_by(object, other, 64u * other + lowest_bit(found), count, lane);
+                found = without_lowest(found);
+                left -= 1u;
             }
         }
     }
-    var last = count + 1u;
-    while (count < last) {
-        last = count;
-        count = merge_pair(count, lane);
-    }
-    let r = piece_at[lane];
+    return count;
+}
+
+/// The channel in which the regions that an object meets cover a piece least.
+fn best_channel(object: u32, r: vec4<u32>, lane: u32) -> u32 {
     var cost = array<u32, 8>();
+    var left = params.met;
     for (var word = 0u; word < row_words(); word += 1u) {
         var bits = conflict_bits[object * row_words() + word];
         while (bits != 0u) {
             let other = 32u * word + firstTrailingBit(bits);
             bits &= bits - 1u;
-            add_cost(&cost, r, object, other, region_count(other, lane));
+            var found = regions_reaching(object, other, lane);
+            while (((found.x | found.y) != 0u) & (left != 0u)) {
+                add_cost(&cost, r, object, other, 64u * other + lowest_bit(found));
+                found = without_lowest(found);
+                left -= 1u;
+            }
         }
     }
     var best = 0u;
     for (var channel = 1u; channel < params.channels; channel += 1u) {
         best = select(best, channel, cost[channel] < cost[best]);
     }
+    return best;
+}
+
+/// Writes the regions of a conflict object.
+fn split_object(object: u32, lane: u32) {
+    piece_at[lane] = rectangles[object];
+    occupied_at[lane] = 0u;
+    workgroupBarrier();
+    var count = divide_all(object, lane);
+    var last = count + 1u;
+    while (count < last) {
+        last = count;
+        count = merge_pair(count, lane);
+    }
+    let r = piece_at[lane];
+    let best = best_channel(object, r, lane);
     if (lane < count) {
         regions[64u * object + lane] = r;
         region_channels[64u * object + lane] = best;

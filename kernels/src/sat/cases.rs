@@ -1,9 +1,11 @@
-//! From no row to 4096² pixels: every edge of a four, a group of lanes and a band of rows, and one to four channels.
+//! From no row to 4096² pixels: every edge of a four, a group of lanes and a band of rows, one to eight channels, and
+//! sums of more than 32 bits.
 //!
-//! A case sums its channels and answers rectangles from the first table. Images and tables of small cases are followed by
-//! words that must be ignored or kept.
+//! A case sums its channels and answers rectangles in all of them. Images, tables and sums are followed by words that
+//! must be ignored or kept.
 
-use glam::UVec4;
+use glam::{UVec2, UVec4};
+use sightlines_backend::host::Buffer;
 use sightlines_backend::{Case, Expected, Job, Result, Size};
 
 use super::{Extent, Sat, oracle};
@@ -23,12 +25,12 @@ struct Input {
 
 pub(super) fn all() -> Vec<Case> {
     let small = |name, width, height, channels, rectangles, probes: &[u32]| {
-        case(name, Size::Small, Input { extent: Extent { width, height }, channels, rectangles }, probes)
+        case(name, (Size::Small, false), Input { extent: Extent { width, height }, channels, rectangles }, probes)
     };
-    let real = |name, side, channels, probes: &[u32]| {
-        let extent = Extent { width: side, height: side };
-        case(name, Size::Real, Input { extent, channels, rectangles: spread }, probes)
+    let wide = |name, width, height, channels, rectangles, probes: &[u32]| {
+        case(name, (Size::Small, true), Input { extent: Extent { width, height }, channels, rectangles }, probes)
     };
+    let real = |name, side, channels, probes: &[u32]| case(name, (Size::Real, false), square(side, channels), probes);
     vec![
         small("nothing", 4, 0, ones, |_| Vec::new(), &[0]),
         small("one_four", 4, 1, noise, spread, &[0, 3]),
@@ -41,10 +43,21 @@ pub(super) fn all() -> Vec<Case> {
         small("largest_exact", 256, 256, largest, spread, &[0, 255, 65_280, 65_535]),
         small("wraps", 516, 40, full_range, spread, &[0, 515, 20_639]),
         small("edge_rectangles", 40, 24, noise, edges, &[0, 1, 2, 3, 4, 5, 6, 7]),
-        small("four_channels", 64, 48, pure_colours, spread, &[0, 63, 3071]),
-        real("items_4096", 4096, one_colour, &[0, 4095, 8_390_655, 16_777_215]),
-        real("colours_1024", 1024, pure_colours, &[0, 1023, 524_799, 1_048_575]),
+        small("four_channels", 64, 48, |e| colours(e, 4), spread, &[0, 63, 3071, 3072, 12_287]),
+        small("eight_channels", 36, 35, |e| colours(e, 8), spread, &[0, 1259, 1260, 10_079]),
+        wide("wide_nothing", 4, 0, ones, |_| Vec::new(), &[0]),
+        wide("wide_full_range", 516, 40, full_range, spread, &[0, 515, 20_639]),
+        wide("wide_largest", 1028, 33, |e| one(e, |_| u32::MAX), spread, &[0, 1, 1024, 33_923]),
+        wide("wide_edge_rectangles", 40, 24, full_range, edges, &[0, 39, 959]),
+        wide("wide_channels", 64, 17, |e| [full_range(e), noise(e), ones(e)].concat(), spread, &[0, 1087, 3263]),
+        real("items_4096", 4096, |e| colours(e, 1), &[0, 4095, 8_390_655, 16_777_215]),
+        real("colours_1024", 1024, |e| colours(e, 4), &[0, 1023, 524_799, 1_048_575, 4_194_303]),
+        case("wide_1024", (Size::Real, true), square(1024, full_range), &[0, 1023, 524_799, 1_048_575]),
     ]
+}
+
+fn square(side: u32, channels: fn(Extent) -> Vec<Vec<u32>>) -> Input {
+    Input { extent: Extent { width: side, height: side }, channels, rectangles: spread }
 }
 
 fn one(extent: Extent, value: impl FnMut(u32) -> u32) -> Vec<Vec<u32>> {
@@ -67,19 +80,11 @@ fn largest(extent: Extent) -> Vec<Vec<u32>> {
     one(extent, |_| extent.largest_exact())
 }
 
-/// Objects in pure colours, as the paper draws them: object i is 1 in channel i mod 4 and 0 in the others.
+/// Objects in pure colours, as the paper draws them: object i is 1 in one channel and 0 in the others.
 fn colours(extent: Extent, channels: u32) -> Vec<Vec<u32>> {
     let pixels = screen::discs(extent.width, extent.height, 500, 3);
-    let shows = |pixel: u32, channel: u32| u32::from(pixel != screen::BACKGROUND && pixel % 4 == channel);
+    let shows = |pixel: u32, channel: u32| u32::from(pixel != screen::BACKGROUND && pixel % channels.max(4) == channel);
     (0..channels).map(|channel| pixels.iter().map(|&pixel| shows(pixel, channel)).collect()).collect()
-}
-
-fn pure_colours(extent: Extent) -> Vec<Vec<u32>> {
-    colours(extent, 4)
-}
-
-fn one_colour(extent: Extent) -> Vec<Vec<u32>> {
-    colours(extent, 1)
 }
 
 /// Rectangles of all sizes, all over the image.
@@ -109,50 +114,96 @@ fn edges(extent: Extent) -> Vec<UVec4> {
     rectangles.map(UVec4::from).to_vec()
 }
 
-fn case(name: &str, size: Size, input: Input, probes: &[u32]) -> Case {
-    let expected = move |_: &_| {
-        let extent = input.extent;
-        let images = (input.channels)(extent);
-        let mut expected: Vec<Expected> = images
-            .iter()
-            .map(|image| {
-                let mut table = oracle::table(extent, image);
-                table.extend([MARK; SLACK]);
-                Expected::Whole(table)
-            })
-            .collect();
-        let rectangles = (input.rectangles)(extent);
-        let mut sums: Vec<u32> = rectangles.iter().map(|r| oracle::rectangle(extent, &images[0], *r)).collect();
-        sums.extend([MARK; SLACK]);
-        expected.push(Expected::Whole(sums));
-        expected
-    };
-    Case::new(name, size, move || job(input), expected).probes(probes.iter().copied())
+fn case(name: &str, (size, wide): (Size, bool), input: Input, probes: &[u32]) -> Case {
+    let expected = move |_: &_| if wide { wide_answer(input) } else { answer(input) };
+    let job = move || if wide { wide_job(input) } else { job(input) };
+    Case::new(name, size, job, expected).probes(probes.iter().copied())
+}
+
+/// A result and the marks behind it.
+fn marked(mut words: Vec<u32>) -> Expected {
+    words.extend([MARK; SLACK]);
+    Expected::Whole(words)
+}
+
+fn answer(input: Input) -> Vec<Expected> {
+    let (extent, rectangles) = (input.extent, (input.rectangles)(input.extent));
+    let images = (input.channels)(extent);
+    let tables = images.iter().flat_map(|image| oracle::table(extent, image)).collect();
+    let sums = images.iter().flat_map(|image| rectangles.iter().map(|r| oracle::rectangle(extent, image, *r)));
+    vec![marked(tables), marked(sums.collect())]
+}
+
+fn wide_answer(input: Input) -> Vec<Expected> {
+    let (extent, rectangles) = (input.extent, (input.rectangles)(input.extent));
+    let images = (input.channels)(extent);
+    let tables: Vec<u64> = images.iter().flat_map(|image| oracle::wide_table(extent, image)).collect();
+    let low = tables.iter().map(|&sum| sum as u32).collect();
+    let high = tables.iter().map(|&sum| (sum >> 32) as u32).collect();
+    let sums = images.iter().flat_map(|image| rectangles.iter().map(|r| oracle::wide_rectangle(extent, image, *r)));
+    let sums = sums.flat_map(|sum| [sum as u32, (sum >> 32) as u32]).collect();
+    vec![marked(low), marked(high), marked(sums)]
+}
+
+/// The images of a case, its rectangles, and how many there are of both.
+struct Given {
+    extent: (Extent, u32),
+    images: Buffer<[u32]>,
+    rectangles: (u32, Buffer<[UVec4]>),
+}
+
+impl Given {
+    fn upload(job: &mut Job, input: Input) -> Given {
+        let images = (input.channels)(input.extent);
+        let mut rectangles = (input.rectangles)(input.extent);
+        let count = rectangles.len() as u32;
+        rectangles.push(UVec4::splat(MARK));
+        let extent = (input.extent, images.len() as u32);
+        let mut words = images.concat();
+        words.extend([MARK; SLACK]);
+        let images = job.slice("images", &words);
+        Given { extent, images, rectangles: (count, job.slice("rectangles", &rectangles)) }
+    }
+
+    /// Marks where the tables will be.
+    fn tables(&self, job: &mut Job, name: &str) -> Buffer<[u32]> {
+        job.slice(name, &vec![MARK; self.images.len() as usize])
+    }
+
+    /// Marks where the sums will be, each of so many words.
+    fn sums(&self, job: &mut Job, words: usize) -> Buffer<[u32]> {
+        let count = self.rectangles.0 as usize * self.extent.1 as usize;
+        job.slice("sums", &vec![MARK; words * count + SLACK])
+    }
 }
 
 fn job(input: Input) -> Result<Job> {
-    let extent = input.extent;
     let kernel = Sat::new()?;
     let mut job = Job::new();
-    let mut first = None;
-    for (channel, mut image) in (input.channels)(extent).into_iter().enumerate() {
-        image.extend([MARK; SLACK]);
-        let image = job.slice(format!("image {channel}"), &image);
-        let table = job.slice(format!("table {channel}"), &vec![MARK; image.len() as usize]);
-        pieces::cut(&mut job);
-        kernel.record(&mut job, extent, image, table)?;
-        pieces::cut(&mut job);
-        job.read(format!("table.{channel}"), table.id());
-        first.get_or_insert(table);
-    }
-    if let Some(table) = first {
-        let mut rectangles = (input.rectangles)(extent);
-        let count = rectangles.len() as u32;
-        rectangles.push(UVec4::splat(MARK));
-        let sums = job.slice("sums", &vec![MARK; count as usize + SLACK]);
-        let rectangles = job.slice("rectangles", &rectangles);
-        kernel.record_rectangles(&mut job, extent, table, count, rectangles, sums)?;
-        job.read("rectangles", sums.id());
-    }
+    let given = Given::upload(&mut job, input);
+    let (tables, sums) = (given.tables(&mut job, "tables"), given.sums(&mut job, 1));
+    pieces::cut(&mut job);
+    kernel.record(&mut job, given.extent, given.images, tables)?;
+    pieces::cut(&mut job);
+    kernel.record_rectangles(&mut job, given.extent, tables, given.rectangles, sums)?;
+    job.read("tables", tables.id());
+    job.read("rectangles", sums.id());
+    Ok(job)
+}
+
+fn wide_job(input: Input) -> Result<Job> {
+    let kernel = Sat::new()?;
+    let mut job = Job::new();
+    let given = Given::upload(&mut job, input);
+    let tables = ["low tables", "high tables"].map(|name| given.tables(&mut job, name));
+    let sums = given.sums(&mut job, 2);
+    let pairs = Buffer::<[UVec2]>::from_raw(sums.id(), 0, sums.size());
+    pieces::cut(&mut job);
+    kernel.record_wide(&mut job, given.extent, given.images, tables)?;
+    pieces::cut(&mut job);
+    kernel.record_rectangles_wide(&mut job, given.extent, tables, given.rectangles, pairs)?;
+    job.read("low tables", tables[0].id());
+    job.read("high tables", tables[1].id());
+    job.read("rectangles", sums.id());
     Ok(job)
 }

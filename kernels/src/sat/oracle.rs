@@ -1,31 +1,41 @@
-//! The definitions: a running sum of sums, and a sum over the pixels of a rectangle; both modulo 2³².
+//! The definitions: a running sum of sums, and a sum over the pixels of a rectangle; both whole, or modulo 2³².
 
 use glam::UVec4;
 
 use super::Extent;
 
 /// The summed-area table of `image`.
-pub fn table(extent: Extent, image: &[u32]) -> Vec<u32> {
+pub fn wide_table(extent: Extent, image: &[u32]) -> Vec<u64> {
     let width = extent.width as usize;
-    let mut table = vec![0_u32; image.len()];
+    let mut table = vec![0_u64; image.len()];
     for y in 0..extent.height as usize {
-        let mut row = 0_u32;
+        let mut row = 0_u64;
         for x in 0..width {
-            row = row.wrapping_add(image[y * width + x]);
+            row += u64::from(image[y * width + x]);
             let above = if y == 0 { 0 } else { table[(y - 1) * width + x] };
-            table[y * width + x] = row.wrapping_add(above);
+            table[y * width + x] = row + above;
         }
     }
     table
 }
 
+/// The same modulo 2³².
+pub fn table(extent: Extent, image: &[u32]) -> Vec<u32> {
+    wide_table(extent, image).into_iter().map(|sum| sum as u32).collect()
+}
+
 /// Sum over a half-open rectangle (x0, y0, x1, y1), cut to the image: pixel by pixel, without a table.
-pub fn rectangle(extent: Extent, image: &[u32], rectangle: UVec4) -> u32 {
+pub fn wide_rectangle(extent: Extent, image: &[u32], rectangle: UVec4) -> u64 {
     let width = extent.width as usize;
     let [x0, y0, x1, y1] = rectangle.to_array().map(|edge| edge as usize);
     let (x1, y1) = (x1.min(width), y1.min(extent.height as usize));
     let rows = (y0..y1).map(|y| image.get(y * width + x0.min(x1)..y * width + x1).unwrap_or_default());
-    rows.flatten().fold(0, |sum, pixel| sum.wrapping_add(*pixel))
+    rows.flatten().map(|&pixel| u64::from(pixel)).sum()
+}
+
+/// The same modulo 2³².
+pub fn rectangle(extent: Extent, image: &[u32], rectangle: UVec4) -> u32 {
+    wide_rectangle(extent, image, rectangle) as u32
 }
 
 #[cfg(test)]
