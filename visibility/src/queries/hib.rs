@@ -2,7 +2,7 @@
 
 use sightlines_backend::Job;
 use sightlines_backend::host::Buffer;
-use sightlines_kernels::item_histogram::{MAX_ITEMS, Order, Tiling};
+use sightlines_kernels::item_histogram::{INSTANCE_BITS, MAX_ITEMS, Order, Tiling};
 
 use super::{Counts, Drawn, Queries};
 use crate::error::{Place, Result};
@@ -47,6 +47,6 @@ pub(super) fn labels(queries: &Queries, job: &mut Job, drawn: &Drawn, depth: u32
     let bases: Vec<u32> = drawn.firsts.iter().map(|first| first << (2 * depth)).collect();
     let base = job.slice("first bins", if bases.is_empty() { &[0] } else { &bases[..] });
     let labels = job.zeroed("bins of pixels", u64::from(drawn.picture.pixels()));
-    queries.histogram.record_labels(job, tiling, drawn.words, base, labels)?;
+    queries.histogram.record_labels(job, tiling, (drawn.words, INSTANCE_BITS), base, labels)?;
     Ok(labels)
 }

@@ -2,13 +2,13 @@
 //! paper).
 //!
 //! Bounding rectangles and outlines come from the host, which the method needs for them; the conflict graph, its
-//! colouring and the division run on the device. One image and one table serve all channels, one after the other.
+//! colouring and the division run on the device. Channels are painted and summed together, as many as a binding holds.
 
 use glam::{IVec2, UVec4};
 use sightlines_backend::Job;
 use sightlines_backend::host::Buffer;
 use sightlines_kernels::region_sets::{MAX_CHANNELS, MAX_MET, MAX_OBJECTS, MAX_REGIONS, Regions, Shape};
-use sightlines_kernels::sat::Extent;
+use sightlines_kernels::sat::{Extent, MAX_WORDS};
 
 use super::bounds::{self, Bounds};
 use super::{Counts, Drawn, Queries, Stage, hib};
@@ -50,7 +50,7 @@ fn asked(job: &mut Job, tile: UVec4, items: u32) -> Buffer<[UVec4]> {
     job.slice("query rectangles", &vec![tile; items.max(1) as usize])
 }
 
-/// Paints, sums and counts channel after channel.
+/// Paints, sums and counts all channels, as many at once as fit a binding.
 fn sum_channels(
     queries: &Queries,
     job: &mut Job,
@@ -60,12 +60,14 @@ fn sum_channels(
     sums: &[Sum],
 ) -> Result<()> {
     let extent = Extent { width: shape.width, height: shape.height };
-    let [image, table] = ["channel", "table"].map(|name| job.zeroed(name, extent.pixels()));
-    for channel in 0..shape.channels {
-        queries.region_sets.record_paint(job, regions, channel, items, image)?;
-        queries.sat.record(job, extent, image, table)?;
+    let most = (MAX_WORDS / extent.pixels().max(1)).min(u64::from(shape.channels)).max(1);
+    let [images, tables] = ["channels", "tables"].map(|name| job.zeroed(name, most * extent.pixels()));
+    for first in (0..shape.channels).step_by(most as usize) {
+        let channels = first..shape.channels.min(first + most as u32);
+        queries.region_sets.record_paint(job, regions, channels.clone(), items, images)?;
+        queries.sat.record(job, (extent, channels.len() as u32), images, tables)?;
         for Sum { asked, sums } in sums {
-            queries.region_sets.record_count(job, regions, channel, [table, *sums], *asked)?;
+            queries.region_sets.record_count(job, regions, channels.clone(), [tables, *sums], *asked)?;
         }
     }
     Ok(())
@@ -125,6 +127,6 @@ fn shape(stage: &Stage, drawn: &Drawn, channels: u32, limit: Option<u32>) -> Res
         let what = format!("a picture {width} pixels wide, and tables sum four columns at once");
         return Err(place().error(what, "choose a width that is a multiple of 4"));
     }
-    let most = (MAX_MET / objects.max(1)).saturating_sub(2).clamp(1, MAX_REGIONS);
-    Ok(Shape { objects, channels, limit: limit.unwrap_or(most).min(most), width, height })
+    let limit = limit.unwrap_or(MAX_REGIONS).clamp(1, MAX_REGIONS);
+    Ok(Shape { objects, channels, limit, met: MAX_MET, width, height })
 }
