@@ -1,7 +1,8 @@
 //! What can go wrong, told so that it can be mended: the file, the place in it, and a remedy.
 //!
-//! Whose fault it is decides the exit code of the program: [`Error::Read`] and [`Error::Input`] are the caller's, a
-//! [`Error::Backend`] without an adapter is the machine's, and the rest are failures of the work itself.
+//! Whose fault it is decides the exit code of the program: [`Error::Read`], [`Error::Input`] and work that no device would
+//! take are the caller's, a [`Error::Backend`] without an adapter is the machine's, and the rest are failures of the work
+//! itself.
 
 use std::fmt;
 use std::io;
@@ -72,14 +73,24 @@ impl Place {
     /// The same place, closer: an element of it.
     #[must_use]
     pub fn element(mut self, element: impl Into<String>) -> Self {
-        self.element = Some(element.into());
+        self.element = Some(plain(&element.into()));
         self
     }
 
     /// The error that stands here.
     pub fn error(self, what: impl Into<String>, remedy: impl Into<String>) -> Error {
-        Error::Input { place: self, what: what.into(), remedy: remedy.into() }
+        Error::Input { place: self, what: plain(&what.into()), remedy: remedy.into() }
     }
+}
+
+/// Most characters of an element's name, and of what is wrong with it.
+const MOST: usize = 400;
+
+/// One line of bounded length that no terminal obeys: names and excerpts of files may hold anything.
+fn plain(text: &str) -> String {
+    let shown = |c: char| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c };
+    let rest = if text.chars().nth(MOST).is_some() { "…" } else { "" };
+    text.chars().take(MOST).map(shown).chain(rest.chars()).collect()
 }
 
 impl fmt::Display for Place {
@@ -97,7 +108,7 @@ impl fmt::Display for Place {
 
 fn read_remedy(source: &io::Error) -> &'static str {
     match source.kind() {
-        io::ErrorKind::NotFound => "check the path",
+        io::ErrorKind::NotFound | io::ErrorKind::NotADirectory | io::ErrorKind::InvalidFilename => "check the path",
         io::ErrorKind::PermissionDenied => "change the file's permissions, or copy it",
         io::ErrorKind::IsADirectory => "name a file, not a folder",
         io::ErrorKind::InvalidData => "save the file as UTF-8 text",
@@ -107,14 +118,14 @@ fn read_remedy(source: &io::Error) -> &'static str {
 
 fn write_remedy(source: &io::Error) -> &'static str {
     match source.kind() {
-        io::ErrorKind::NotFound => "make its folder, or name a file in another one",
+        io::ErrorKind::NotFound | io::ErrorKind::NotADirectory => "make its folder, or name a file in another one",
         io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
             "change the permissions, or name a file in another folder"
         }
         io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded | io::ErrorKind::FileTooLarge => {
             "make room, or name a file on another disk"
         }
-        io::ErrorKind::IsADirectory | io::ErrorKind::InvalidInput => "name a file",
+        io::ErrorKind::IsADirectory | io::ErrorKind::InvalidInput | io::ErrorKind::InvalidFilename => "name a file",
         _ => "name a file in another folder, or on another disk",
     }
 }
@@ -127,7 +138,11 @@ impl Error {
 
     /// Whether the caller gave something that makes no sense.
     pub fn is_bad_input(&self) -> bool {
-        matches!(self, Error::Read { .. } | Error::Input { .. })
+        match self {
+            Error::Read { .. } | Error::Input { .. } => true,
+            Error::Backend(e) => matches!(e.kind(), ErrorKind::Refused { .. }),
+            Error::Write { .. } => false,
+        }
     }
 
     /// The same error of bad input, in a file and line that its maker did not know.
@@ -165,10 +180,18 @@ mod tests {
     }
 
     #[test]
+    fn what_a_file_says_neither_floods_a_terminal_nor_commands_it() {
+        let message = Place::default().element("a\x1b[2J\nb").error("x".repeat(5000), "mend it").to_string();
+        assert_eq!(message, format!("a\u{fffd}[2J\u{fffd}b: {}…\n  remedy: mend it", "x".repeat(400)));
+    }
+
+    #[test]
     fn a_missing_adapter_is_told_from_other_failures() {
         let adapter = DeviceError::NoAdapter { wanted: None, reason: "none".into() };
         assert!(Error::from(sightlines_backend::Error::from(adapter)).is_missing_backend());
         let lost = Error::from(sightlines_backend::Error::from(DeviceError::Lost("gone".into())));
         assert!(!lost.is_missing_backend() && !lost.is_bad_input());
+        let large = sightlines_backend::Error::refused("too large", "make it smaller");
+        assert!(Error::from(large).is_bad_input());
     }
 }

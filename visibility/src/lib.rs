@@ -19,6 +19,7 @@
 pub mod ambient;
 pub mod error;
 pub mod image;
+mod input;
 pub mod output;
 pub mod queries;
 pub mod scene;

@@ -13,7 +13,7 @@ use clap::Parser;
 use program::cli::{Cli, Command};
 
 fn main() -> ExitCode {
-    let out = &mut io::stdout().lock();
+    let out = &mut program::Report::new();
     let done = match Cli::parse().command {
         Command::Shadows(args) => program::shadows::run(&args, out),
         Command::Queries(args) => program::queries::run(&args, out),
@@ -22,9 +22,7 @@ fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            if !failure.is_closed_pipe() {
-                let _ = writeln!(io::stderr(), "error: {}", failure.to_string().trim_end());
-            }
+            let _ = writeln!(io::stderr(), "error: {}", failure.to_string().trim_end());
             ExitCode::from(failure.exit_code())
         }
     }

@@ -55,7 +55,9 @@ fn temporary(path: &Path) -> io::Result<(NamedTempFile, PathBuf)> {
     // The system's mask applies, as it does to any file that a program makes.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    Ok((builder.tempfile_in(folder)?, target))
+    // The kind alone: the name of the temporary file tells nobody anything.
+    let file = builder.tempfile_in(folder).map_err(|e| io::Error::from(e.kind()))?;
+    Ok((file, target))
 }
 
 #[cfg(test)]

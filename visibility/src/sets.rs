@@ -16,13 +16,13 @@
 //! | … | 4 × words × resolution² | u32: the sets, row after row; bit i % 32 of word i / 32: sample i is hidden |
 //! | … | 32 | BLAKE3 digest of all that stands before |
 
-use std::fs;
 use std::io;
 use std::path::Path;
 
 use sightlines_backend::CONTRACT_VERSION;
 
-use crate::error::{Error, Place, Result};
+use crate::error::{Place, Result};
+use crate::input;
 use crate::output;
 use crate::shadows::{MAX_RESOLUTION, MAX_WORDS, SAMPLES, Sets};
 
@@ -30,6 +30,8 @@ use crate::shadows::{MAX_RESOLUTION, MAX_WORDS, SAMPLES, Sets};
 pub const MAGIC: [u8; 16] = *b"sightlines sets\n";
 /// Version of the layout.
 pub const VERSION: u32 = 1;
+
+const REMEDY: &str = "bake the sets again with `sightlines shadows --sets`";
 
 const HEADER: usize = 48;
 const DIGEST: usize = blake3::OUT_LEN;
@@ -74,17 +76,9 @@ fn header(sets: &Sets) -> Vec<u8> {
 ///
 /// A file that is missing, is not such a file, is of another version, or is damaged.
 pub fn read(path: &Path) -> Result<Sets> {
-    let failed = |source| Error::read(path, source);
-    // The largest file that can be right: nothing larger is read into memory.
+    // The largest file that can be right.
     let most = (HEADER + 8 * 1024 + DIGEST) as u64 + 4 * MAX_WORDS;
-    if fs::metadata(path).map_err(failed)?.len() > most {
-        return Err(damaged(path, "it is larger than any file of sets"));
-    }
-    decode(&fs::read(path).map_err(failed)?).map_err(|what| damaged(path, what))
-}
-
-fn damaged(path: &Path, what: impl Into<String>) -> Error {
-    Place::file(path).error(what, "bake the sets again with `sightlines shadows --sets`")
+    decode(&input::read(path, most, REMEDY)?).map_err(|what| Place::file(path).error(what, REMEDY))
 }
 
 fn decode(bytes: &[u8]) -> Result<Sets, String> {

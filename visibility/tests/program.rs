@@ -106,8 +106,54 @@ fn a_target_that_cannot_be_written_ends_with_1_before_any_work() {
 #[cfg(unix)]
 #[test]
 fn a_device_that_never_ends_is_not_read() {
-    let message = Folder::new().fails("shadows /dev/zero", 2);
-    assert!(message.contains("/dev/zero: neither a file nor a link to one"), "{message}");
+    let folder = Folder::new();
+    folder.put("good.obj", TRIANGLE);
+    std::os::unix::fs::symlink("/dev/zero", folder.0.path().join("link")).unwrap();
+    for line in [
+        "shadows link",
+        "shadows --scene-file link",
+        "queries link",
+        "queries good.obj --path link",
+        "ambient good.obj --environment link",
+    ] {
+        let message = folder.fails(line, 2);
+        assert!(message.contains("link: neither a file nor a link to one"), "{line}: {message}");
+    }
+}
+
+/// `sightlines … | head -1` ends the report, not the work.
+#[cfg(unix)]
+#[test]
+fn a_report_that_nobody_reads_keeps_no_file_from_being_written() {
+    let folder = Folder::new();
+    folder.put("good.obj", TRIANGLE);
+    for (line, file) in [
+        ("shadows good.obj --resolution 8 --samples 32 -o a.png", "a.png"),
+        ("queries good.obj --camera 3,3,3/0,1,0 --size 16x16 --csv a.csv", "a.csv"),
+        ("ambient good.obj --level 0 -o a.ply", "a.ply"),
+    ] {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_sightlines"));
+        command.args(line.split_whitespace()).args(["--backend", "cpu"]).current_dir(folder.0.path());
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let output = command.stdout(writer).output().unwrap();
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!((output.status.code(), &*message), (Some(0), ""), "{line}");
+        assert!(folder.0.path().join(file).exists(), "{line}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_report_that_finds_no_room_is_told() {
+    let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let folder = Folder::new();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_sightlines"));
+    command.args("shadows --scene box --backend cpu --resolution 8".split_whitespace()).current_dir(folder.0.path());
+    let output = command.stdout(full).output().unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    assert!(message.contains("standard output: ") && message.contains("remedy: "), "{message}");
 }
 
 #[test]

@@ -122,6 +122,7 @@ fn clusters_are_counted_and_sum_to_their_instances() {
 #[test]
 fn limits_are_named_with_what_to_do() {
     let world = crowd(40);
+    let wide = Stage::of(&world, frame(&world, &world.cameras[0], 64, 64)).unwrap();
     let frame = frame(&world, &world.cameras[0], 62, 64);
     let stage = Stage::of(&world, frame).unwrap();
     let refused = |stage: &Stage, method, depth| {
@@ -139,6 +140,8 @@ fn limits_are_named_with_what_to_do() {
     assert!(refused(&clusters, Method::SAT, 0).contains("count clusters with `hib`"));
     let nine = Method::Sat { channels: 9, limit: None };
     assert!(refused(&stage, nine, 0).contains("choose 1 to 8"));
+    let none = Method::Sat { channels: 4, limit: Some(0) };
+    assert!(refused(&wide, none, 0).contains("choose 1 to 64"));
     let many = World { instances: (0..2001).map(|i| world.instances[i % 40 + 1].clone()).collect(), ..world.clone() };
     let many = Stage::of(&many, frame).unwrap();
     assert!(refused(&many, Method::SAT, 0).contains("2001 instances, at most 2000 have regions"));

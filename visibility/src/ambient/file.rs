@@ -22,7 +22,6 @@
 //!
 //! Directions are those of the kernel `light_sphere`, in its order.
 
-use std::fs;
 use std::path::Path;
 
 use sightlines_backend::CONTRACT_VERSION;
@@ -30,7 +29,8 @@ use sightlines_backend::CONTRACT_VERSION;
 use super::matrix::{MAX_WORDS, Matrix};
 use super::sphere::Sphere;
 use super::surface::Surface;
-use crate::error::{Error, Place, Result};
+use crate::error::{Place, Result};
+use crate::input;
 use crate::output;
 use crate::scene::MAX_VERTICES;
 
@@ -38,6 +38,8 @@ use crate::scene::MAX_VERTICES;
 pub const MAGIC: [u8; 16] = *b"sightlines occl\n";
 /// Version of the layout.
 pub const VERSION: u32 = 1;
+
+const REMEDY: &str = "compute the matrix again with `sightlines ambient --matrix`";
 
 const HEADER: usize = 88;
 const DIGEST: usize = blake3::OUT_LEN;
@@ -144,14 +146,9 @@ impl Stored {
     ///
     /// A file that is missing, no such file, of another version, or damaged.
     pub fn read(path: &Path) -> Result<Self> {
-        let failed = |source| Error::read(path, source);
-        let damaged =
-            |what: String| Place::file(path).error(what, "compute the matrix again with `sightlines ambient --matrix`");
+        // The largest file that can be right.
         let most = (HEADER + DIGEST + 4 * MAX_VERTICES) as u64 + 4 * MAX_WORDS;
-        if fs::metadata(path).map_err(failed)?.len() > most {
-            return Err(damaged("it is larger than any matrix".into()));
-        }
-        decode(&fs::read(path).map_err(failed)?).map_err(damaged)
+        decode(&input::read(path, most, REMEDY)?).map_err(|what| Place::file(path).error(what, REMEDY))
     }
 }
 

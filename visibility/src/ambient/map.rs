@@ -5,7 +5,6 @@
 //! are seen from inside; the front is −z, with +x to its right and +y up, the middle of a latitude–longitude map. A cross
 //! becomes a latitude–longitude map of four sides by two, by the texel that each direction meets.
 
-use std::fs;
 use std::io::Cursor;
 use std::path::Path;
 
@@ -13,7 +12,8 @@ use exr::prelude::{MetaData, ReadChannels, ReadLayers};
 
 use super::environment::{Environment, direction_at};
 use super::radiance::{self, MAX_TEXELS, Picture};
-use crate::error::{Error, Place, Result};
+use crate::error::{Place, Result};
+use crate::input;
 
 /// Largest file that is read, in bytes.
 const MAX_BYTES: u64 = 1 << 30;
@@ -27,16 +27,7 @@ impl Environment {
     ///
     /// A file that is missing, neither format, damaged, too large, of another shape, or with texels that are no light.
     pub fn load(path: &Path) -> Result<Self> {
-        let failed = |source| Error::read(path, source);
-        let found = fs::metadata(path).map_err(failed)?;
-        if !found.is_file() && !found.is_dir() {
-            return Err(Place::file(path).error("neither a file nor a link to one", "copy its contents to a file"));
-        }
-        if found.len() > MAX_BYTES {
-            let what = format!("{} bytes, at most {MAX_BYTES} are read", found.len());
-            return Err(Place::file(path).error(what, "scale the environment down"));
-        }
-        let bytes = fs::read(path).map_err(failed)?;
+        let bytes = input::read(path, MAX_BYTES, "scale the environment down")?;
         let place = Place::file(path);
         let picture = if bytes.starts_with(b"#?") {
             radiance::read(&place, &bytes)?

@@ -8,7 +8,7 @@ pub(crate) mod queries;
 pub(crate) mod shadows;
 mod targets;
 
-use std::io;
+use std::io::{self, Write};
 
 /// Why the program stops.
 #[derive(Debug, thiserror::Error)]
@@ -17,8 +17,34 @@ pub(crate) enum Failure {
     #[error("{0}")]
     Work(#[from] sightlines_visibility::Error),
     /// The report could not be written.
-    #[error("standard output: {0}")]
+    #[error("standard output: {0}\n  remedy: name another place for the report; files named under `wrote` are whole")]
     Output(#[from] io::Error),
+}
+
+/// Standard output for the report. Where nobody reads it any more, the work goes on: its results are files.
+pub(crate) struct Report(io::StdoutLock<'static>);
+
+impl Report {
+    pub(crate) fn new() -> Self {
+        Report(io::stdout().lock())
+    }
+}
+
+impl Write for Report {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        unless_closed(self.0.write(bytes), bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        unless_closed(self.0.flush(), ())
+    }
+}
+
+fn unless_closed<T>(done: io::Result<T>, otherwise: T) -> io::Result<T> {
+    match done {
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(otherwise),
+        done => done,
+    }
 }
 
 impl From<sightlines_backend::Error> for Failure {
@@ -35,10 +61,5 @@ impl Failure {
             Failure::Work(error) if error.is_bad_input() => 2,
             Failure::Work(_) | Failure::Output(_) => 1,
         }
-    }
-
-    /// Whether whoever reads the report has stopped reading.
-    pub(crate) fn is_closed_pipe(&self) -> bool {
-        matches!(self, Failure::Output(error) if error.kind() == io::ErrorKind::BrokenPipe)
     }
 }

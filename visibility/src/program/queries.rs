@@ -19,6 +19,9 @@ use super::cli::{Axis, MachineArgs};
 use super::progress::Progress;
 use super::{Failure, machine, targets};
 
+/// Most words of pixels and tiles that are held until the files are written.
+const MAX_WORDS: usize = 1 << 28;
+
 /// Printed behind the options.
 pub(crate) const QUERIES_HELP: &str = "\
 A camera is the name of one in the scene, or EYE/TARGET or EYE/TARGET/LENS: points as x,y,z, a lens as the angle from
@@ -177,6 +180,21 @@ impl QueriesArgs {
         Ok(cameras)
     }
 
+    /// What of a view is needed until the files are written; refused where that of all cameras is too much to hold.
+    fn kept(&self, mut view: View, cameras: usize) -> Result<View> {
+        view.answer.depths = Vec::new();
+        if self.heat.is_none() {
+            view.answer.shown = Vec::new();
+        }
+        let words = (view.answer.shown.len() + view.answer.tiles.len()) * cameras;
+        if words > MAX_WORDS {
+            let what = format!("the answers of {cameras} cameras have {} MiB", words >> 18);
+            let remedy = format!("at most {} MiB are held: ask for fewer cameras, pixels or tiles", MAX_WORDS >> 18);
+            return Err(Place::default().element("--size").error(what, remedy));
+        }
+        Ok(view)
+    }
+
     fn targets(&self, cameras: usize) -> Vec<PathBuf> {
         let heat = self.heat.iter().flat_map(|path| (0..cameras).map(move |n| targets::numbered(path, n, cameras)));
         heat.chain(self.json.clone()).chain(self.csv.clone()).chain(self.seen.clone()).collect()
@@ -242,7 +260,7 @@ pub(crate) fn run(args: &QueriesArgs, out: &mut dyn Write) -> Result<(), Failure
         let frame = Frame::new(camera, args.size, world.corners().as_flattened())?;
         let view = view(args, &*backend, &world, camera, frame, method)?;
         report::view(&view, &world, frame.near, args.counts, out)?;
-        views.push(view);
+        views.push(args.kept(view, cameras.len())?);
     }
     write(args, &world, &views)?;
     report::backend(&backend.info(), out)?;

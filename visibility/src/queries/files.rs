@@ -13,7 +13,6 @@
 //! | 32 | 4 × views × words | u32: the sets, view after view, each of words = ⌈instances / 32⌉; bit i % 32 of word i / 32: instance i has a visible pixel |
 //! | … | 32 | BLAKE3 digest of all that stands before |
 
-use std::fs;
 use std::io;
 use std::path::Path;
 
@@ -22,12 +21,18 @@ use sightlines_backend::CONTRACT_VERSION;
 use sightlines_kernels::raster::NOTHING;
 
 use super::Answer;
-use crate::error::{Error, Place, Result};
+use crate::error::{Place, Result};
+use crate::input;
 use crate::output;
 use crate::scene::World;
 
 /// First bytes of a file of visible sets.
 pub const MAGIC: [u8; 16] = *b"sightlines seen\n";
+
+/// Largest file of visible sets that is read, in bytes.
+const MAX_BYTES: u64 = 1 << 30;
+
+const REMEDY: &str = "make the sets again with `sightlines queries --seen`";
 
 const VERSION: u32 = 1;
 const HEADER: usize = 32;
@@ -239,8 +244,7 @@ pub fn write_seen(path: &Path, world: &World, views: &[View]) -> Result<()> {
 ///
 /// A file that is missing, is not such a file, is of another version, or is damaged.
 pub fn read_seen(path: &Path) -> Result<Vec<Vec<usize>>> {
-    let bytes = fs::read(path).map_err(|source| Error::read(path, source))?;
-    decode(&bytes).map_err(|what| Place::file(path).error(what, "make the sets again with `sightlines queries --seen`"))
+    decode(&input::read(path, MAX_BYTES, REMEDY)?).map_err(|what| Place::file(path).error(what, REMEDY))
 }
 
 fn decode(bytes: &[u8]) -> Result<Vec<Vec<usize>>, String> {
@@ -259,7 +263,7 @@ fn decode(bytes: &[u8]) -> Result<Vec<Vec<usize>>, String> {
         ));
     }
     let each = (instances as usize).div_ceil(32);
-    if body.len() as u64 != HEADER as u64 + 4 * each as u64 * u64::from(views) {
+    if each == 0 || body.len() as u64 != HEADER as u64 + 4 * each as u64 * u64::from(views) {
         return Err(format!("{views} views of {instances} instances do not fill its {} bytes", bytes.len()));
     }
     let seen = |view: usize| {

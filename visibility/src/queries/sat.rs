@@ -122,6 +122,9 @@ fn shape(stage: &Stage, drawn: &Drawn, channels: u32, limit: Option<u32>) -> Res
     if !(1..=MAX_CHANNELS).contains(&channels) {
         return Err(place().error(format!("{channels} channels"), format!("choose 1 to {MAX_CHANNELS}")));
     }
+    if limit == Some(0) {
+        return Err(place().error("0 regions", format!("choose 1 to {MAX_REGIONS}")));
+    }
     let (width, height) = (drawn.picture.width, drawn.picture.height);
     if width % 4 != 0 {
         let what = format!("a picture {width} pixels wide, and tables sum four columns at once");

@@ -34,7 +34,7 @@ impl Frame {
     ///
     /// # Errors
     ///
-    /// No point in front of the camera.
+    /// No point in front of the camera, or a lens so narrow or wide that f64 does not hold its picture.
     pub fn new(camera: &Camera, picture: Picture, points: &[Vector]) -> Result<Self> {
         let row = |axis: Vector, size: f64| (scale(axis, size), -dot(axis, camera.eye) * size);
         let along = |(axis, sum): (Vector, f64), point: &Vector| dot(axis, *point) + sum;
@@ -58,13 +58,13 @@ impl Frame {
         let most = |row| points.iter().map(|p| along(row, p).abs()).fold(0.0, f64::max);
         let whole = f64::from(CLIP - 4096);
         let clip = |(axis, sum): (Vector, f64), by: f64| (scale(axis, by), sum * by);
-        match camera.lens {
+        let frame = match camera.lens {
             Lens::Perspective { .. } => {
                 let by = whole / most(x).max(most(y)).max(most(depth)).max(near);
                 let steps = (near * by).floor().max(longest);
                 let (axis, sum) = clip(depth, by);
                 let rows = [clip(x, by), clip(y, by), (axis, sum - steps), (axis, sum)];
-                Ok(Frame { view: View { picture, near: steps as i32 }, near: steps / by, rows })
+                Frame { view: View { picture, near: steps as i32 }, near: steps / by, rows }
             }
             Lens::Orthographic { .. } => {
                 // W is 1 where X and Y are 1 at the sides of the picture.
@@ -73,9 +73,16 @@ impl Frame {
                 let deep = if farthest > nearest { deep } else { 0.0 };
                 let z = (scale(camera.forward, deep), (depth.1 - nearest) * deep);
                 let rows = [clip(x, by), clip(y, by), z, ([0.0; 3], by)];
-                Ok(Frame { view: View { picture, near: by as i32 }, near, rows })
+                Frame { view: View { picture, near: by as i32 }, near, rows }
             }
+        };
+        let numbers = frame.rows.iter().flat_map(|(axis, sum)| axis.iter().chain([sum])).chain([&frame.near]);
+        if numbers.into_iter().any(|n| !n.is_finite()) {
+            let what =
+                format!("the place or the lens of camera `{}` is out of all proportion to the scene", camera.name);
+            return Err(Place::default().element("camera").error(what, "bring both to the scale of the scene"));
         }
+        Ok(frame)
     }
 
     /// How vertices that `to_scene` takes into the scene become clip coordinates.
@@ -105,8 +112,12 @@ impl Snapped {
         let [low, high] = extent(mesh).unwrap_or([[0.0; 3]; 2]);
         let centre = [0, 1, 2].map(|axis| 0.5 * low[axis] + 0.5 * high[axis]);
         let longest = sub(high, centre).into_iter().fold(0.0, f64::max);
-        let cell = if longest > 0.0 { longest / GRID } else { 1.0 };
-        let cells = |v: &Vector| sub(*v, centre).map(|d| (d / cell + 0.5).floor().clamp(-GRID, GRID) as i32);
+        // A mesh without extent has cells without extent, so that no scene is too small for it.
+        let cell = longest / GRID;
+        let cells = |v: &Vector| match cell > 0.0 {
+            true => sub(*v, centre).map(|d| (d / cell + 0.5).floor().clamp(-GRID, GRID) as i32),
+            false => [0; 3],
+        };
         Snapped { vertices: mesh.vertices.iter().map(cells).collect(), to_mesh: Affine::placed(cell, centre) }
     }
 }
@@ -168,6 +179,22 @@ mod tests {
         assert!(frame.view.near >= 640);
         let behind = Frame::new(&narrow, PICTURE, &[[0.0, 0.0, 5.0]]).unwrap_err().to_string();
         assert!(behind.contains("nothing is in front of camera") && behind.contains("turn it"), "{behind}");
+    }
+
+    #[test]
+    fn a_lens_out_of_proportion_is_refused_and_a_point_is_placed() {
+        let points = [[0.0; 3], [1.0; 3]];
+        for height in [1e-308, f64::MIN_POSITIVE / 8.0] {
+            let camera = Camera::look_at("far", [9.0; 3], [0.0; 3], UP, Lens::Orthographic { height }).unwrap();
+            let message = Frame::new(&camera, PICTURE, &points).unwrap_err().to_string();
+            assert!(message.contains("camera `far` is out of all proportion"), "{message}");
+        }
+        let camera = Camera::look_at("near", [9e-9; 3], [0.0; 3], UP, Lens::angle(45.0).unwrap()).unwrap();
+        let frame = Frame::new(&camera, PICTURE, &[[0.0; 3], [1e-9; 3]]).unwrap();
+        let Snapped { vertices, to_mesh } =
+            Snapped::of(&Mesh { vertices: vec![[1e-9; 3]; 3], triangles: vec![[0, 1, 2]], ..Mesh::default() });
+        assert_eq!((&*vertices, to_mesh.apply([0.0; 3])), (&[[0; 3]; 3][..], [1e-9; 3]));
+        frame.placement(&to_mesh).unwrap();
     }
 
     #[test]

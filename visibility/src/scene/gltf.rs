@@ -154,6 +154,9 @@ impl Walk<'_> {
         for primitive in mesh.primitives() {
             let Some(positions) = primitive.get(&Semantic::Positions) else { continue };
             let first = part.vertices.len() as u32;
+            let place =
+                || Place::file(self.path).element(format!("mesh {}, primitive {}", mesh.index(), primitive.index()));
+            limit(place(), "vertices", part.vertices.len().saturating_add(positions.count()), MAX_VERTICES)?;
             let points = self.buffers.vectors(&positions, "positions")?;
             if let Some(accessor) = primitive.get(&Semantic::Normals) {
                 let normals = self.buffers.vectors(&accessor, "normals")?;
@@ -162,13 +165,12 @@ impl Walk<'_> {
             }
             for triangle in self.triangles(&primitive, points.len())? {
                 if let Some(bad) = triangle.iter().find(|&&i| i as usize >= points.len()) {
-                    let place = Place::file(self.path);
-                    let element = format!("mesh {}, primitive {}", mesh.index(), primitive.index());
                     let what = format!("vertex {bad} (from 0) is used, and there are {}", points.len());
-                    return Err(place.element(element).error(what, REMEDY));
+                    return Err(place().error(what, REMEDY));
                 }
                 part.triangles.push(triangle.map(|i| first + i));
             }
+            limit(place(), "triangles", part.triangles.len(), MAX_TRIANGLES)?;
             part.vertices.extend(points);
         }
         if !part.normals.is_empty() {

@@ -3,11 +3,14 @@
 //! The content decides where it says what it is (PLY and GLB have a magic, glTF is a JSON object), else the extension.
 
 use std::ffi::OsStr;
-use std::fs;
 use std::path::Path;
 
 use super::{MAX_FILE_BYTES, Scene, World, gltf, obj, ply};
-use crate::error::{Error, Place, Result};
+use crate::error::{Place, Result};
+use crate::input;
+
+/// Largest text file beside a scene, in bytes.
+const MAX_TEXT_BYTES: u64 = 16 << 20;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Format {
@@ -55,24 +58,12 @@ pub fn load_world(path: &Path) -> Result<World> {
 ///
 /// A file that is missing, too large or not UTF-8.
 pub fn read_text(path: &Path) -> Result<String> {
-    let invalid = |e| Error::read(path, std::io::Error::new(std::io::ErrorKind::InvalidData, e));
-    String::from_utf8(read(path)?).map_err(|e| invalid(e.utf8_error()))
+    input::read_text(path, MAX_TEXT_BYTES, "split it, or write fewer lines")
 }
 
 /// A file's bytes, if there are not too many.
 pub(super) fn read(path: &Path) -> Result<Vec<u8>> {
-    let failed = |source| Error::read(path, source);
-    let found = fs::metadata(path).map_err(failed)?;
-    if !found.is_file() && !found.is_dir() {
-        // A device may never end.
-        return Err(Place::file(path).error("neither a file nor a link to one", "copy its contents to a file"));
-    }
-    let size = found.len();
-    if size > MAX_FILE_BYTES {
-        let what = format!("{size} bytes, at most {MAX_FILE_BYTES} are read");
-        return Err(Place::file(path).error(what, "simplify the mesh, or split it"));
-    }
-    fs::read(path).map_err(failed)
+    input::read(path, MAX_FILE_BYTES, "simplify the mesh, or split it")
 }
 
 /// The file's own name, which is how a scene is called.

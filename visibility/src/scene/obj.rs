@@ -3,6 +3,7 @@
 //! `tobj` would refuse a mesh for its texture coordinates, makes a face of a polyline, and tells what is wrong but not
 //! where. So it is given the [`statements`] that matter, through a reader that knows how far it has come.
 
+use std::borrow::Cow;
 use std::io::{self, BufRead, Read};
 use std::path::Path;
 
@@ -14,17 +15,30 @@ use crate::error::{Error, Place, Result};
 const REMEDY: &str = "mend the line, or export the mesh again";
 
 pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Scene> {
-    let text = String::from_utf8_lossy(bytes);
+    let text = text(path, bytes)?;
     let mut lines = Lines { statements: statements(&text), number: 0, text: String::new(), used: 0 };
     let options = LoadOptions { ignore_points: true, ignore_lines: true, ..LoadOptions::default() };
     let (models, _) = tobj::load_obj_buf(&mut lines, &options, |_| Ok((Vec::new(), Default::default()))).map_err(
         |error| match error {
             LoadError::FaceVertexOutOfBounds => out_of_range(path, &text),
-            other => Place::line(path, lines.number).error(other.to_string(), REMEDY),
+            LoadError::PositionParseError => lines.refused(path, "it is no vertex of three numbers"),
+            LoadError::FaceParseError => lines.refused(path, "it is no face of whole numbers"),
+            other => lines.refused(path, &other.to_string()),
         },
     )?;
     let parts = models.into_iter().map(|model| part(path, model)).collect::<Result<_>>()?;
     Ok(Scene { name: load::name(path), units: "units of the file", parts })
+}
+
+/// The text of a file, without the mark of its encoding. Names may have bytes that are not UTF-8.
+fn text<'a>(path: &Path, bytes: &'a [u8]) -> Result<Cow<'a, str>> {
+    if let Some(zero) = bytes.iter().position(|&byte| byte == 0) {
+        let line = 1 + bytes[..zero].iter().filter(|&&byte| byte == b'\n').count();
+        return Err(
+            Place::line(path, line).error("it has a zero byte, so it is no text", "save the file as UTF-8 text")
+        );
+    }
+    Ok(String::from_utf8_lossy(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)))
 }
 
 fn part(path: &Path, model: tobj::Model) -> Result<Mesh> {
@@ -53,7 +67,9 @@ fn statements(text: &str) -> impl Iterator<Item = (usize, String)> {
         let (number, line) = lines.next()?;
         let mut statement = line.to_owned();
         while let Some(start) = statement.trim_end().strip_suffix('\\') {
-            statement = format!("{start} {}", lines.next().map_or("", |(_, line)| line));
+            statement.truncate(start.len());
+            statement.push(' ');
+            statement.push_str(lines.next().map_or("", |(_, line)| line));
         }
         Some((number + 1, essence(&statement)))
     })
@@ -95,6 +111,14 @@ struct Lines<I> {
     number: usize,
     text: String,
     used: usize,
+}
+
+impl<I> Lines<I> {
+    /// The error of the statement that was read last.
+    fn refused(&self, path: &Path, what: &str) -> Error {
+        let start: String = self.text.trim_end().chars().take(40).collect();
+        Place::line(path, self.number).error(format!("`{start}`: {what}"), REMEDY)
+    }
 }
 
 impl<I: Iterator<Item = (usize, String)>> Read for Lines<I> {

@@ -46,6 +46,10 @@ fn check(path: &Path, header: &Header) -> Result<()> {
     for (name, element) in &header.elements {
         let most = if name == "face" { MAX_TRIANGLES } else { MAX_VERTICES };
         limit(Place::file(path), &format!("elements `{name}`"), element.count, most)?;
+        if element.properties.is_empty() {
+            let place = Place::file(path).element(format!("element `{name}`"));
+            return Err(place.error("it has no property", REMEDY));
+        }
     }
     let has = |element: &str, property: &str| {
         header.elements.iter().any(|(name, e)| name == element && e.properties.iter().any(|(name, _)| name == property))

@@ -89,10 +89,14 @@ impl World {
             return Err(Place::file(path).error("there is no triangle in it", "export a mesh with faces"));
         }
         let far = |corner: &Vector| corner.iter().any(|c| c.is_nan() || c.abs() > MAX_COORDINATE);
-        if let Some(at) = self.corners().iter().position(|corners| corners.iter().any(far)) {
+        let corners = self.corners();
+        if let Some(at) = corners.iter().position(|corners| corners.iter().any(far)) {
             let what = format!("it reaches beyond {MAX_COORDINATE:e}, or its transform is not finite");
             let place = Place::file(path).element(format!("instance {at}"));
             return Err(place.error(what, "choose larger units, or move the mesh to the origin"));
+        }
+        if corners.as_flattened().windows(2).all(|pair| pair[0] == pair[1]) {
+            return Err(Place::file(path).error("all its vertices coincide", "check the scale of the export"));
         }
         Ok(self)
     }

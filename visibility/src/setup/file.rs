@@ -29,7 +29,8 @@ use super::{
     LIGHT_SIZE, MAX_LIGHTS, RESOLUTION, SAMPLE_COUNT, Settings, Setup, Up, check_light, check_rect, checked_light_size,
     checked_resolution, checked_samples, surround,
 };
-use crate::error::{Error, Place, Result};
+use crate::error::{Place, Result};
+use crate::input;
 use crate::scene::{self, Generator, Scene, limit};
 use crate::shadows::Rect;
 
@@ -85,13 +86,14 @@ impl Source<'_> {
     fn setting<T: Copy>(&self, key: &str, caller: Option<T>, file: &Option<Spanned<T>>, default: T) -> (Place, T) {
         match (caller, file) {
             (None, Some(value)) => (self.at(key, value), *value.get_ref()),
-            (caller, _) => (Place::default().element(key), caller.unwrap_or(default)),
+            (None, None) => (Place::file(self.path).element(key), default),
+            (Some(value), _) => (Place::default().element(key), value),
         }
     }
 }
 
 pub(super) fn load(path: &Path, settings: &Settings) -> Result<Setup> {
-    let text = read(path)?;
+    let text = input::read_text(path, MAX_BYTES, "name the mesh as the model, in a scene file of its own")?;
     let source = Source { path, text: &text };
     let file: File = toml::from_str(&text).map_err(|e| {
         let place = e.span().map_or_else(|| Place::file(path), |span| source.line(span.start));
@@ -108,15 +110,6 @@ pub(super) fn load(path: &Path, settings: &Settings) -> Result<Setup> {
     let mut setup = Setup { scene, up, lights: vec![light], receiver, resolution, samples };
     place_rects(&source, &file, &mut setup)?;
     Ok(setup)
-}
-
-fn read(path: &Path) -> Result<String> {
-    let failed = |source| Error::read(path, source);
-    let size = std::fs::metadata(path).map_err(failed)?.len();
-    if size > MAX_BYTES {
-        return Err(Place::file(path).error(format!("{size} bytes are no scene file"), "name the mesh as the model"));
-    }
-    std::fs::read_to_string(path).map_err(failed)
 }
 
 fn up(source: &Source<'_>, settings: &Settings, file: &File) -> Result<Up> {

@@ -1,6 +1,8 @@
 //! OBJ and PLY: what is read, and every way in which it is refused.
 
-use super::{load_bytes, refusal};
+use sightlines_visibility::scene::load_world;
+
+use super::{Folder, load_bytes, refusal};
 
 const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
@@ -42,10 +44,11 @@ fn a_concave_polygon_is_not_covered_beyond_its_outline() {
 #[test]
 fn broken_obj_files_are_refused_with_their_line() {
     let cases = [
-        ("v 0 0\n", ":1: position parse error"),
-        ("v 0 0 0\nv 0 zero 0\n", ":2: position parse error"),
-        ("v 0 0 0 0\n", ":1: scaling (w) by zero"),
-        ("f 1 2 x\n", ":5: face parse error"),
+        ("v 0 0\n", ":1: `v 0 0`: it is no vertex of three numbers"),
+        ("v 0 0 0\nv 0 zero 0\n", ":2: `v 0 zero 0`: it is no vertex of three numbers"),
+        ("v 0 0 0\nv 0 0 0\0\n", ":2: it has a zero byte, so it is no text"),
+        ("v 0 0 0 0\n", ":1: `v 0 0 0 0`: scaling (w) by zero"),
+        ("f 1 2 x\n", ":5: `f 1 2 x`: it is no face of whole numbers"),
         ("f 1 2 5\n", ":5: the face uses vertex 5, and the file has 4 vertices"),
         ("f 0 1 2\n", ":5: the face uses vertex 0"),
         ("f 1 2 3\n\nf -5 1 2\n", ":7: the face uses vertex -5"),
@@ -57,6 +60,31 @@ fn broken_obj_files_are_refused_with_their_line() {
         let message = refusal(load_bytes("mesh.obj", &text), "mesh.obj");
         assert!(message.contains(expected), "{text:?}: {message}");
     }
+}
+
+#[test]
+fn a_mark_of_utf8_hides_no_vertex_and_a_thousand_continued_lines_are_one() {
+    let corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    let plain = load_bytes("mesh.obj", corners).unwrap();
+    assert_eq!(load_bytes("mesh.obj", format!("\u{feff}{corners}")).unwrap(), plain);
+    assert_eq!(load_bytes("mesh.obj", corners.replace("v 1", &format!("v {}1", "\\\n".repeat(1000)))).unwrap(), plain);
+}
+
+#[test]
+fn a_world_is_held_to_what_a_scene_is() {
+    let folder = Folder::new();
+    let point = folder.put("point.obj", "v 1 2 3\nv 1 2 3\nf 1 2 1\n");
+    let message = refusal(load_world(&point), "point.obj");
+    assert!(message.contains("all its vertices coincide"), "{message}");
+}
+
+#[test]
+fn ply_elements_of_nothing_are_refused_before_they_are_counted() {
+    let head = "ply\nformat binary_little_endian 1.0\nelement nothing 16777216\nelement vertex 3\n";
+    let rest = "property float x\nproperty float y\nproperty float z\nelement face 1\n\
+        property list uchar int vertex_indices\nend_header\n";
+    let message = refusal(load_bytes("mesh.ply", format!("{head}{rest}")), "mesh.ply");
+    assert!(message.contains("element `nothing`: it has no property"), "{message}");
 }
 
 #[test]

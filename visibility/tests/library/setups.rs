@@ -176,7 +176,10 @@ fn a_light_that_cuts_the_receivers_plane_is_refused() {
 fn a_scene_file_that_is_none_is_refused() {
     let folder = Folder::new();
     let huge = folder.put("huge.toml", vec![b'#'; (1 << 20) + 1]);
-    assert!(refusal(Setup::load(&huge, &Settings::default()), "huge.toml").contains("1048577 bytes are no scene file"));
+    assert!(
+        refusal(Setup::load(&huge, &Settings::default()), "huge.toml")
+            .contains("1048577 bytes, at most 1048576 are read")
+    );
     let binary = folder.put("binary.toml", [0xFF, 0xFE]);
     assert!(refusal(Setup::load(&binary, &Settings::default()), "binary.toml").contains("save the file as UTF-8"));
     refusal(Setup::load(&folder.path("none.toml"), &Settings::default()), "none.toml");

@@ -10,7 +10,7 @@ use gltf::buffer::{Source, View};
 use gltf::{Accessor, Document};
 
 use super::REMEDY;
-use crate::error::{Place, Result};
+use crate::error::{Error, Place, Result};
 use crate::scene::{Affine, MAX_FILE_BYTES, MAX_TRIANGLES, MAX_VERTICES, limit, load};
 use crate::vector::Vector;
 
@@ -184,7 +184,13 @@ fn fetch(path: &Path, uri: &str, place: impl Fn() -> Place) -> Result<Vec<u8>> {
         return Err(place().error(format!("`{uri}` is not on this machine"), remedy));
     }
     let name = percent_decoded(uri).ok_or_else(|| place().error(format!("`{uri}` is not a URI"), REMEDY))?;
-    load::read(&path.with_file_name(name))
+    load::read(&path.with_file_name(&name)).map_err(|e| match e {
+        Error::Read { source, .. } => {
+            let what = format!("its file `{name}` cannot be read: {source}");
+            place().error(what, "put the file beside the scene, or export the scene with its buffers embedded")
+        }
+        e => e,
+    })
 }
 
 fn percent_decoded(uri: &str) -> Option<String> {
