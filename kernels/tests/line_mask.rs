@@ -12,7 +12,7 @@ use sightlines_kernels::influence_region::oracle::region;
 use sightlines_kernels::line_mask::{LineMask, Resolution, Space, TILE, oracle, record_differ, record_masks};
 use sightlines_kernels::pattern::Pattern;
 use sightlines_kernels::random;
-use sightlines_kernels::row_span::{RowSpan, Scene, is_between, tile_width};
+use sightlines_kernels::row_span::{HEIGHT, RowSpan, Scene, WIDTH, is_between};
 use sightlines_kernels::source;
 use sightlines_kernels::tiles::Tiles;
 use sightlines_kernels::triangles::{Family, contacts, corners, crossing, levels};
@@ -72,7 +72,7 @@ fn a_regular_light_has_the_masks_of_row_spans_and_half_planes() {
         let table = kernel.record_table(&mut job);
         kernel.record(&mut job, &field(), &lists, table, by_table).expect("it fits");
 
-        let lists = tiles([tile_width(&samples), 4], &samples, &triangles);
+        let lists = tiles([WIDTH, HEIGHT], &samples, &triangles);
         let by_rows = scene(&mut job, &lists, &triangles, samples.words());
         RowSpan::new(&samples).and_then(|rows| rows.record(&mut job, &RECEIVERS, &lists, by_rows)).expect("it fits");
 

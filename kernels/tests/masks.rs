@@ -13,7 +13,7 @@ use sightlines_kernels::half_planes::HalfPlanes;
 use sightlines_kernels::influence_region::{InfluenceRegion, TiltedRegion, oracle};
 use sightlines_kernels::line_mask::{LineMask, Resolution, Space, TILE};
 use sightlines_kernels::pattern::Pattern;
-use sightlines_kernels::row_span::{RowSpan, Scene, is_between, tile_width};
+use sightlines_kernels::row_span::{HEIGHT, RowSpan, Scene, WIDTH, is_between};
 use sightlines_kernels::tiles::Tiles;
 
 /// One interpreter for all scenes, so that a kernel is lowered once.
@@ -161,7 +161,7 @@ fn by_row_span(view: &View, groups: &[&[Triangle]]) -> Vec<Vec<u32>> {
     let kernel = RowSpan::new(samples).expect("it compiles");
     masks(view, groups, |job, triangles, vertices, hidden| {
         assert!(triangles.iter().all(|t| is_between(t, receivers.height)), "{triangles:?}");
-        let (tiles, scene) = tiled(job, view, triangles, [tile_width(samples), 2], vertices, hidden);
+        let (tiles, scene) = tiled(job, view, triangles, [WIDTH, HEIGHT], vertices, hidden);
         kernel.record(job, receivers, &tiles, scene).expect("it is recorded");
     })
 }

@@ -3,7 +3,7 @@
 
 use sightlines_backend::{Case, Expected, Job, Outputs, Result, Size};
 
-use super::{LIST, RowSpan, Scene, oracle, tile_width};
+use super::{LIST, RowSpan, Scene, WIDTH, oracle};
 use crate::grid::{Receivers, Samples, Triangle, hidden_set};
 use crate::influence_region::oracle::region;
 use crate::random;
@@ -19,8 +19,8 @@ fn light(step: i32, columns: u32, rows: u32) -> Samples {
 /// Few receivers, wide apart, so that all parts of a triangle's shadow are met.
 const FEW: Receivers = Receivers { origin: [-1500, -1100], step: [290, 370], height: 24_576, columns: 11, rows: 7 };
 
-/// 77 tiles of 8 by 4 receivers.
-const SOLO: Receivers = Receivers { origin: [-1500, -1100], step: [36, 92], height: 24_576, columns: 88, rows: 28 };
+/// 77 tiles of 16 by 4 receivers.
+const SOLO: Receivers = Receivers { origin: [-1500, -1100], step: [18, 92], height: 24_576, columns: 176, rows: 28 };
 const SOLO_TILES: u32 = 77;
 
 const MANY: Receivers = Receivers { origin: [-4080, -4080], step: [32, 32], height: 24_576, columns: 256, rows: 256 };
@@ -57,7 +57,7 @@ fn mixed(samples: &Samples, receivers: &Receivers) -> Vec<Triangle> {
 
 fn tiles(samples: &Samples, receivers: &Receivers, triangles: &[Triangle], tile_rows: u32) -> Tiles {
     let regions: Vec<[i32; 4]> = triangles.iter().map(|t| region(t, samples, receivers)).collect();
-    Tiles::new([tile_width(samples), tile_rows], receivers, &regions)
+    Tiles::new([WIDTH, tile_rows], receivers, &regions)
 }
 
 fn job(samples: &Samples, receivers: &Receivers, triangles: &[Triangle], tiles: &Tiles) -> Result<Job> {
@@ -103,7 +103,7 @@ fn solo(
     samples: Samples,
     make: impl Fn(&Samples, &Receivers) -> Vec<Triangle> + Clone + Send + Sync + 'static,
 ) -> Case {
-    let tiles = Tiles::solo([tile_width(&samples), 4], &SOLO);
+    let tiles = Tiles::solo([WIDTH, 4], &SOLO);
     let triangles = make.clone();
     let lists = tiles.clone();
     let job = move || job(&samples, &SOLO, &triangles(&samples, &SOLO), &lists);
@@ -130,7 +130,7 @@ fn long_list() -> Case {
     let job = move || {
         let triangles = make();
         let entries: Vec<u32> = (0..triangles.len() as u32).collect();
-        let tiles = Tiles { size: [8, 1], count: [1, 1], starts: vec![0, entries.len() as u32], entries };
+        let tiles = Tiles { size: [WIDTH, 4], count: [1, 1], starts: vec![0, entries.len() as u32], entries };
         job(&samples, &receivers, &triangles, &tiles)
     };
     let expected =

@@ -5,21 +5,24 @@
 // the definition that the masks meet bit for bit. Output: bit s % 32 of `hidden[(s / 32) * receivers + r]` is set if any
 // triangle of r's tile list hides sample s from receiver r; other bits are left as they are.
 //
-// Triangles lie strictly between the planes: 0 < z < height for every vertex. Then, on the parallel planes:
+// Triangles lie strictly between the planes: 0 < z < height for every vertex. A row of receivers and a row of samples are
+// parallel, so one plane holds both, and what a triangle hides there is told by where its edges meet that plane:
 //
-// * The backprojected y of a vertex is the same for all receivers of a row, so the first light row at or above it,
-//   J = clamp(ceil(N / Z), 0, ROWS) with N = y * height - ry * z - v0 * w, Z = step * w, w = height - z, is found once.
-// * Row j is crossed by exactly the two edges with J_low <= j < J_high: the one from the lowest vertex to the highest, and
-//   one of the other two. Samples on a vertex's row or an edge fall to one side by the same rule for all triangles.
-// * The crossing of an edge is bilinear in receiver column i and light row j: x = P + i C + j (Q + i D), in samples. An f32
-//   value of it decides how many samples lie before the crossing, unless it is too near to a sample for its error; then
-//   the exact sign of the edge function does, found by bisection.
+// * f(v) = y * height - ry * z - v0 * (height - z) says on which side a vertex stands; a triangle meets the plane iff one
+//   vertex has another side than the other two, and the two edges from it cross. f > 0 is one side, f <= 0 the other, so
+//   what lies on the plane falls to one side by the same rule for all triangles.
+// * The crossing of an edge is the mean of its vertices, weighted by the |f| of the other. From receiver i it is seen
+//   before a sample at x(i) = a - i b, in steps of the samples, and hides those k with x <= k of one edge and k < x of the
+//   other. Numbers of 18 binary places hold a and b; where x is too near to a whole number for their error, the sign of
+//   x - k decides, a sum of two products of integers.
 //
-// One workgroup serves COUNT receivers of one row: invocation = (light row, receiver), receivers fastest. It prepares up to
-// 256 triangles at a time, one an invocation, then all invocations take one after the other.
+// One workgroup serves WIDTH by HEIGHT receivers. Invocations first are triangles, 256 of the list at a time, and find
+// which rows of samples they meet for each row of receivers. Each such pair is an item; items wait on a stack until there is
+// one for every invocation. Then invocations are items, and each finds its spans for WIDTH receivers. So work is done for what
+// meets a row of samples alone, and nearly all lanes have it. The order of items cannot show: spans are joined by OR.
 
-import package::shared::crossing::{edge_function, along_row, first_inside};
-import package::shared::view::{View, receiver_at, sample_row, below};
+import package::shared::wide::{imul_wide, add64};
+import package::shared::view::{View, receiver_at, sample_row};
 
 /// Samples along x: a power of two up to 32.
 const COLUMNS: u32 = 32u;
@@ -27,15 +30,27 @@ const COLUMNS: u32 = 32u;
 const ROWS: u32 = 32u;
 /// Entries of a list that a launch takes.
 const LIST: u32 = 4096u;
+/// Receivers of one workgroup along x.
+const WIDTH: u32 = 16u;
+/// Receivers of one workgroup along y.
+const HEIGHT: u32 = 4u;
 /// Receivers of one workgroup.
-const COUNT = 256u / ROWS;
+const RECEIVERS = WIDTH * HEIGHT;
+/// Rows of samples in a word of a mask.
+const ROWS_PER_WORD = 32u / COLUMNS;
+
+/// One step between samples, and the bits below it.
+const ONE = 262144;
+const FRACTION = 262143;
+/// Lanes, and triangles or items that they take at a time.
+const LANES = 256u;
 
 struct Params {
     /// Receiver row of the first workgroup row.
     first_row: u32,
-    /// Receiver rows that share a tile list.
+    /// Receiver rows that share a tile list: a multiple of HEIGHT.
     tile_rows: u32,
-    /// Tiles along x, COUNT receivers each.
+    /// Tiles along x, WIDTH receivers each.
     tiles: u32,
     /// Entries of each list that earlier launches have taken.
     skip: u32,
@@ -48,173 +63,259 @@ struct Params {
 /// Tile t has the list entries `starts[t]` up to `starts[t + 1]`.
 @group(0) @binding(2) var<storage, read> starts: array<u32>;
 @group(0) @binding(3) var<storage, read> entries: array<u32>;
-@group(0) @binding(4) var<storage, read_write> hidden: array<atomic<u32>>;
+@group(0) @binding(4) var<storage, read_write> hidden: array<u32>;
 
-/// What all invocations need of a triangle: rows and order of its vertices, then the coefficients P, C, Q, D of its three
-/// edges and the distance from a sample within which f32 does not decide, as f32 bits.
-struct Setup {
-    rows: u32,
-    limit: u32,
-    long_edge: vec4<u32>,
-    lower_edge: vec4<u32>,
-    upper_edge: vec4<u32>,
-}
-
-var<workgroup> setups: array<Setup, 256>;
+/// Row j of the mask of receiver (i, line) at (j * HEIGHT + line) * WIDTH + i.
+var<workgroup> masks: array<atomic<u32>, ROWS * RECEIVERS>;
+/// Items that wait, as `item` makes them.
+var<workgroup> items: array<u32, 512>;
+var<workgroup> pushed: atomic<u32>;
+var<workgroup> waiting: u32;
 
 fn vertex(triangle: u32, corner: u32) -> vec3<i32> {
     let at = 9u * triangle + 3u * corner;
     return vec3<i32>(vertices[at], vertices[at + 1u], vertices[at + 2u]);
 }
 
-/// First light row at or above the backprojection of a vertex: clamp(ceil(N / Z), 0, ROWS).
-fn first_row(v: vec3<i32>, ry: i32) -> u32 {
+/// A vertex as its backprojection moves over the rows of samples: row (n - line * n_step) / d for a row of receivers.
+struct Track {
+    n: i32,
+    n_step: i32,
+    per_d: f32,
+}
+
+/// float: filter - 1 / d is off by less than 2^-21 of it
+fn track(triangle: u32, corner: u32, ry: i32) -> Track {
+    let v = vertex(triangle, corner);
     let w = params.view.height - v.z;
     let n = v.y * params.view.height - ry * v.z - params.view.sample_y * w;
-    let z = bitcast<u32>(params.view.sample_step_y * w);
-    return select(min((bitcast<u32>(n) + z - 1u) / z, ROWS), 0u, n <= 0);
+    return Track(n, params.view.receiver_step_y * v.z, 1.0 / f32(params.view.sample_step_y * w));
 }
 
+/// float: filter - off by less than 2^-20 of it
+fn row_of(t: Track, line: u32) -> f32 {
+    return f32(t.n - bitcast<i32>(line) * t.n_step) * t.per_d;
+}
+
+/// First row of samples that three vertices may stand on either side of, and one past the last.
+///
+/// float: filter - rows up to 64 are off by less than 2^-10, so none is missed; those beyond are past all samples
+fn rows_met(a: f32, b: f32, c: f32) -> vec2<u32> {
+    let first = clamp(min(min(a, b), c) - 0.0009765625, 0.0, f32(ROWS));
+    let last = clamp(max(max(a, b), c) + 0.0009765625, 0.0, f32(ROWS));
+    return vec2<u32>(u32(ceil(first)), u32(ceil(last)));
+}
+
+/// A triangle, a row of receivers and a row of samples.
+fn item(triangle: u32, line: u32, j: u32) -> u32 {
+    return (triangle << 7u) | (line << 5u) | j;
+}
+
+/// allow(atomic-result): the order of items cannot show, as spans are joined by OR
+fn push(item: u32) {
+    items[atomicAdd(&pushed, 1u)] = item;
+}
+
+/// Number of items that wait, the same for all invocations.
+fn depth(lane: u32) -> u32 {
+    workgroupBarrier();
+    if (lane == 0u) {
+        waiting = atomicLoad(&pushed);
+    }
+    return workgroupUniformLoad(&waiting);
+}
+
+/// A vertex, and f of it.
+fn sided(v: vec3<i32>, ry: i32, v0: i32) -> vec4<i32> {
+    return vec4<i32>(v, v.y * params.view.height - ry * v.z - v0 * (params.view.height - v.z));
+}
+
+/// An edge that crosses the plane, each vertex with the weight that it has in the crossing.
 struct Edge {
-    /// P (with the half sample of rounding), C, Q, D.
-    coefficients: vec4<f32>,
-    /// Sum of the magnitudes that the crossing is made of.
-    size: f32,
+    p: vec4<i32>,
+    q: vec4<i32>,
 }
 
-/// float: filter - the size bounds the error of every crossing made from these coefficients
-fn edge(p: vec3<i32>, q: vec3<i32>, x0: i32, ry: i32) -> Edge {
-    let h = params.view.height;
-    let w = h - p.z;
-    let wz = q.z - p.z;
-    let a = p.y * (q.z - h) - q.y * (p.z - h) - ry * wz;
-    let b = q.x * (p.z - h) - p.x * (q.z - h) + x0 * wz;
-    let step = params.view.receiver_step_x;
-    let per_x = 1.0 / f32(params.view.sample_step_x * w);
-    let x1 = f32(p.x * h - x0 * p.z - params.view.sample_x * w) * per_x;
-    let c1 = f32(0 - step * p.z) * per_x;
-    let y1 = f32(p.y * h - ry * p.z - params.view.sample_y * w) / f32(params.view.sample_step_y * w);
-    // An edge along the rows is crossed by none.
-    let per_a = f32(params.view.sample_step_y) / f32(params.view.sample_step_x) / f32(select(a, 1, a == 0));
-    let slope = f32(0 - b) * per_a;
-    let turn = f32(0 - step * wz) * per_a;
-    let last = f32(COUNT - 1u);
-    let size = 1.0 + abs(x1) + last * abs(c1) + (32.0 + 2.0 * abs(y1)) * (abs(slope) + last * abs(turn));
-    return Edge(vec4<f32>(x1 - y1 * slope + 0.5, c1 - y1 * turn, slope, turn), size);
+fn edge(p: vec4<i32>, q: vec4<i32>) -> Edge {
+    return Edge(vec4<i32>(p.xyz, abs(q.w)), vec4<i32>(q.xyz, abs(p.w)));
 }
 
-/// Vertex 0, 1 or 2.
-fn pick(a: vec3<i32>, b: vec3<i32>, c: vec3<i32>, number: u32) -> vec3<i32> {
-    return select(select(a, b, number == 1u), c, number == 2u);
+/// Where an edge is seen from receiver i before the samples: at (start - i * slope) / ONE, with an error up to
+/// `doubt` / ONE.
+struct Crossing {
+    start: i32,
+    slope: i32,
+    doubt: i32,
 }
 
-/// float: filter - 2^-18 of the size is twice the error of a crossing
-fn prepare(slot: u32, triangle: u32, x0: i32, ry: i32) {
-    let a = vertex(triangle, 0u);
-    let b = vertex(triangle, 1u);
-    let c = vertex(triangle, 2u);
-    // Rows are sorted with the numbers of their vertices beneath them, so that no two are equal.
-    let keys = vec3<u32>(4u * first_row(a, ry), 4u * first_row(b, ry) + 1u, 4u * first_row(c, ry) + 2u);
-    let least = min(keys.x, min(keys.y, keys.z));
-    let most = max(keys.x, max(keys.y, keys.z));
-    let sorted = vec3<u32>(least, keys.x ^ keys.y ^ keys.z ^ least ^ most, most);
-    let rows = sorted >> vec3<u32>(2u);
-    let order = sorted & vec3<u32>(3u);
-    let low = pick(a, b, c, order.x);
-    let middle = pick(a, b, c, order.y);
-    let high = pick(a, b, c, order.z);
-    setups[slot].rows = rows.x | (rows.y << 6u) | (rows.z << 12u)
-        | (order.x << 18u) | (order.y << 20u) | (order.z << 22u);
-    if (rows.x == rows.z) {
+/// How far from u a vertex is seen from rx on the samples' plane, times its distance from the receivers' plane.
+fn reach(v: vec4<i32>, rx: i32, u: i32) -> i32 {
+    return v.x * params.view.height - rx * v.z - u * (params.view.height - v.z);
+}
+
+/// The crossing of an edge for the receivers from rx on; a doubt of ONE where it is too far away to be told.
+///
+/// float: filter - `doubt` bounds the error of all receivers of the workgroup
+fn crossing(e: Edge, rx: i32) -> Crossing {
+    let p_weight = f32(e.p.w);
+    let q_weight = f32(e.q.w);
+    let w = f32(params.view.height - e.p.z) * p_weight + f32(params.view.height - e.q.z) * q_weight;
+    let scale = f32(ONE) / (f32(params.view.sample_step_x) * w);
+    let p = f32(reach(e.p, rx, params.view.sample_x)) * p_weight;
+    let q = f32(reach(e.q, rx, params.view.sample_x)) * q_weight;
+    let z = f32(e.p.z) * p_weight + f32(e.q.z) * q_weight;
+    let slope = f32(params.view.receiver_step_x) * z * scale;
+    let size = (abs(p) + abs(q)) * scale + f32(WIDTH) * slope;
+    if (!(size < 1073741824.0)) {
+        return Crossing(0, 0, ONE);
+    }
+    return Crossing(i32((p + q) * scale), i32(slope), i32(size * 0.0000019073486328125) + 20);
+}
+
+/// Whether x <= k, exactly.
+fn is_reached(e: Edge, rx: i32, k: i32) -> bool {
+    let u = params.view.sample_x + params.view.sample_step_x * k;
+    let sum = add64(imul_wide(reach(e.p, rx, u), e.p.w), imul_wide(reach(e.q, rx, u), e.q.w));
+    return (bitcast<i32>(sum.y) < 0) | ((sum.x | sum.y) == 0u);
+}
+
+/// The half of a range of numbers that holds the least k that is reached.
+fn halved(e: Edge, rx: i32, range: vec2<i32>) -> vec2<i32> {
+    let k = (range.x + range.y) >> 1u;
+    let is_open = range.x < range.y;
+    let reached = is_reached(e, rx, min(k, bitcast<i32>(COLUMNS) - 1));
+    return vec2<i32>(select(range.x, k + 1, is_open & !reached), select(range.y, k, is_open & reached));
+}
+
+/// Exact number of samples before the crossing of an edge: ceil(x), between 0 and COLUMNS. `guess` is off by less than a
+/// quarter, unless the crossing could not be told.
+fn before(e: Edge, rx: i32, guess: i32, is_told: bool) -> i32 {
+    let columns = bitcast<i32>(COLUMNS);
+    if (is_told) {
+        // Between nearest - 1 and nearest + 1.
+        let nearest = (guess + ONE / 2) >> 18u;
+        let k = clamp(nearest, 0, columns - 1);
+        let exact = select(k + 1, k, is_reached(e, rx, k));
+        return select(exact, select(columns, 0, nearest < 0), nearest != k);
+    }
+    // Six halvings leave one of 33 numbers; no loop, as turns of loops are few (docs/numerics.md).
+    let few = halved(e, rx, halved(e, rx, halved(e, rx, vec2<i32>(0, columns))));
+    return halved(e, rx, halved(e, rx, halved(e, rx, few))).x;
+}
+
+/// Adds what an item hides from `count` receivers to the masks.
+fn take(item: u32, x0: i32, y0: i32, count: u32) {
+    let triangle = item >> 7u;
+    let line = (item >> 5u) & 3u;
+    let j = item & 31u;
+    let ry = y0 + params.view.receiver_step_y * bitcast<i32>(line);
+    let v0 = sample_row(params.view, j);
+    let a = sided(vertex(triangle, 0u), ry, v0);
+    let b = sided(vertex(triangle, 1u), ry, v0);
+    let c = sided(vertex(triangle, 2u), ry, v0);
+    let is_a = ((b.w > 0) == (c.w > 0)) & ((a.w > 0) != (b.w > 0));
+    let is_b = ((c.w > 0) == (a.w > 0)) & ((b.w > 0) != (c.w > 0));
+    let is_c = ((a.w > 0) == (b.w > 0)) & ((c.w > 0) != (a.w > 0));
+    if (!(is_a | is_b | is_c)) {
         return;
     }
-    let long_edge = edge(low, high, x0, ry);
-    let lower = edge(low, middle, x0, ry);
-    let upper = edge(middle, high, x0, ry);
-    // An edge that no row crosses can be of any size: it is never used.
-    var size = long_edge.size;
-    size = max(size, select(lower.size, 0.0, rows.x == rows.y));
-    size = max(size, select(upper.size, 0.0, rows.y == rows.z));
-    setups[slot].limit = bitcast<u32>(0.5 - size * 0.000003814697265625);
-    setups[slot].long_edge = bitcast<vec4<u32>>(long_edge.coefficients);
-    setups[slot].lower_edge = bitcast<vec4<u32>>(lower.coefficients);
-    setups[slot].upper_edge = bitcast<vec4<u32>>(upper.coefficients);
+    let alone = select(select(c, b, is_b), a, is_a);
+    let one = edge(alone, select(select(a, c, is_b), b, is_a));
+    let two = edge(alone, select(select(b, a, is_b), c, is_a));
+    spans(one, two, (j * HEIGHT + line) * WIDTH, x0, count);
 }
 
-/// Exact number of samples of a light row before the crossing of an edge: the least k with E(k) >= 0, where E is the edge
-/// function with the sign that makes it grow.
-fn exact_crossing(p: vec3<i32>, q: vec3<i32>, r: vec3<i32>, j: u32) -> u32 {
-    let v = sample_row(params.view, j);
-    return first_inside(along_row(edge_function(r, p, q), r, params.view.sample_x, v), params.view.sample_step_x, COLUMNS);
-}
-
-/// The samples of light row j that a triangle hides from receiver (i, row).
-///
-/// float: filter - a crossing nearer to a sample than its error is decided by `exact_crossing`
-fn span(slot: u32, triangle: u32, i: u32, j: u32, x0: i32, ry: i32) -> u32 {
-    let rows = setups[slot].rows;
-    let first = rows & 63u;
-    let middle = (rows >> 6u) & 63u;
-    let last = (rows >> 12u) & 63u;
-    var mask = 0u;
-    if ((j >= first) & (j < last)) {
-        let column = f32(i);
-        let line = f32(j);
-        let limit = bitcast<f32>(setups[slot].limit);
-        let one = bitcast<vec4<f32>>(setups[slot].long_edge);
-        let is_lower = j < middle;
-        let two = bitcast<vec4<f32>>(select(setups[slot].upper_edge, setups[slot].lower_edge, is_lower));
-        let x = one.x + column * one.y + line * (one.z + column * one.w);
-        let y = two.x + column * two.y + line * (two.z + column * two.w);
-        let left = clamp(min(x, y), 0.0, f32(COLUMNS));
-        let right = clamp(max(x, y), 0.0, f32(COLUMNS));
-        let near_left = floor(left + 0.5);
-        let near_right = floor(right + 0.5);
-        var from_sample = u32(near_left);
-        var to_sample = u32(near_right);
-        let doubt = max(abs(left - near_left), abs(right - near_right));
-        if (!(doubt < limit)) {
-            let r = vec3<i32>(x0 + bitcast<i32>(i) * params.view.receiver_step_x, ry, params.view.height);
-            let low = vertex(triangle, (rows >> 18u) & 3u);
-            let centre = vertex(triangle, (rows >> 20u) & 3u);
-            let high = vertex(triangle, (rows >> 22u) & 3u);
-            let a = exact_crossing(low, high, r, j);
-            let b = exact_crossing(select(high, low, is_lower), centre, r, j);
-            from_sample = min(a, b);
-            to_sample = max(a, b);
+/// Adds the samples between two edges to the masks of `count` receivers, from `place` on.
+fn spans(one: Edge, two: Edge, place: u32, x0: i32, count: u32) {
+    let first = crossing(one, x0);
+    let second = crossing(two, x0);
+    let doubt = max(first.doubt, second.doubt);
+    // Where x is no whole number ceil(x) is floor(x + 1).
+    var x = first.start + ONE;
+    var y = second.start + ONE;
+    for (var i = 0u; i < count; i += 1u) {
+        var low = min(x, y) >> 18u;
+        var high = max(x, y) >> 18u;
+        if (min((x + doubt) & FRACTION, (y + doubt) & FRACTION) <= 2 * doubt) {
+            let rx = x0 + params.view.receiver_step_x * bitcast<i32>(i);
+            let from_one = before(one, rx, x - ONE, first.doubt < ONE);
+            let from_two = before(two, rx, y - ONE, second.doubt < ONE);
+            low = min(from_one, from_two);
+            high = max(from_one, from_two);
         }
-        mask = below(to_sample) & ~below(from_sample);
+        low = max(low, 0);
+        high = min(high, bitcast<i32>(COLUMNS));
+        if (low < high) {
+            let span = (0xffffffffu >> bitcast<u32>(32 - (high - low))) << bitcast<u32>(low);
+            atomicOr(&masks[place + i], span);
+        }
+        x -= first.slope;
+        y -= second.slope;
     }
-    return mask;
+}
+
+/// Joins the masks of the workgroup's receivers to those in memory.
+fn store(lane: u32, x: u32, y: u32) {
+    for (var at = lane; at < ROWS / ROWS_PER_WORD * RECEIVERS; at += LANES) {
+        let word = at / RECEIVERS;
+        let receiver = at % RECEIVERS;
+        let column = x + receiver % WIDTH;
+        let row = y + receiver / WIDTH;
+        var mask = 0u;
+        for (var k = 0u; k < ROWS_PER_WORD; k += 1u) {
+            mask |= atomicLoad(&masks[(word * ROWS_PER_WORD + k) * RECEIVERS + receiver]) << (k * COLUMNS);
+        }
+        if ((mask != 0u) & (column < params.view.columns) & (row < params.view.rows)) {
+            hidden[(word * params.view.rows + row) * params.view.columns + column] |= mask;
+        }
+    }
 }
 
 @compute @workgroup_size(256)
 fn row_span(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    let row = params.first_row + group.y;
-    let corner = receiver_at(params.view, group.x * COUNT, row);
-    let x0 = corner.x;
-    let ry = corner.y;
-    let i = lane % COUNT;
-    let j = lane / COUNT;
-    let tile = (row / params.tile_rows) * params.tiles + group.x;
+    let x = group.x * WIDTH;
+    let y = params.first_row + group.y * HEIGHT;
+    let corner = receiver_at(params.view, x, y);
+    let columns = min(WIDTH, params.view.columns - x);
+    let lines = min(HEIGHT, params.view.rows - y);
+    let tile = (y / params.tile_rows) * params.tiles + group.x;
     let first = starts[tile] + params.skip;
     let end = min(starts[tile + 1u], first + LIST);
-    var mask = 0u;
-    for (var start = first; start < end; start += 256u) {
-        let count = min(end - start, 256u);
-        workgroupBarrier();
-        if (lane < count) {
-            prepare(lane, entries[start + lane], x0, ry);
-        }
-        workgroupBarrier();
-        for (var slot = 0u; slot < count; slot += 1u) {
-            mask |= span(slot, entries[start + slot], i, j, x0, ry);
+    var count = 0u;
+    for (var start = first; start < end; start += LANES) {
+        let is_there = start + lane < end;
+        let triangle = entries[min(start + lane, end - 1u)];
+        let a = track(triangle, 0u, corner.y);
+        let b = track(triangle, 1u, corner.y);
+        let c = track(triangle, 2u, corner.y);
+        for (var line = 0u; line < lines; line += 1u) {
+            var rows = rows_met(row_of(a, line), row_of(b, line), row_of(c, line));
+            rows.y = select(0u, rows.y, is_there);
+            for (var turn = 0u; turn < ROWS; turn += 1u) {
+                if (rows.x < rows.y) {
+                    push(item(triangle, line, rows.x));
+                    rows.x += 1u;
+                }
+                let pushed_now = depth(lane);
+                if (pushed_now == count) {
+                    break;
+                }
+                count = pushed_now;
+                if (count >= LANES) {
+                    count -= LANES;
+                    take(items[count + lane], corner.x, corner.y, columns);
+                    workgroupBarrier();
+                    if (lane == 0u) {
+                        atomicStore(&pushed, count);
+                    }
+                    workgroupBarrier();
+                }
+            }
         }
     }
-    let column = group.x * COUNT + i;
-    if ((mask != 0u) & (column < params.view.columns)) {
-        let sample = j * COLUMNS;
-        let plane = (sample / 32u) * params.view.columns * params.view.rows;
-        atomicOr(&hidden[plane + row * params.view.columns + column], mask << (sample % 32u));
+    if (lane < count) {
+        take(items[lane], corner.x, corner.y, columns);
     }
+    workgroupBarrier();
+    store(lane, x, y);
 }

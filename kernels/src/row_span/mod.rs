@@ -24,11 +24,20 @@ pub const KERNEL: Kernel = Kernel {
     cases: cases::all,
 };
 
+/// Receivers of one workgroup along x, and so the width of a tile.
+pub const WIDTH: u32 = 16;
+
+/// Receivers of one workgroup along y: the rows of a tile are a multiple of them.
+pub const HEIGHT: u32 = 4;
+
+/// Most triangles: their numbers share a word with two rows.
+const MAX_TRIANGLES: u64 = 1 << 25;
+
 /// Workgroups times list entries of one recording: a second or two on the slowest software device.
 const PAIRS: u64 = 1 << 17;
 
-/// Entries of a tile's list that one launch takes: an entry takes at most 15 turns of an invocation's loops, of which some
-/// devices end all at 65,535 (docs/adding-a-kernel.md).
+/// Entries of a tile's list that one launch takes, so that no invocation's loops turn as often as some devices bear
+/// (docs/numerics.md).
 const LIST: u32 = 1 << 12;
 
 host! {
@@ -36,7 +45,7 @@ host! {
     pub struct Params {
         /// Receiver row of the first workgroup row.
         pub first_row: u32,
-        /// Receiver rows that share a tile list.
+        /// Receiver rows that share a tile list: a multiple of [`HEIGHT`].
         pub tile_rows: u32,
         /// Tiles along x.
         pub tiles: u32,
@@ -58,18 +67,13 @@ bindings! {
     }
 }
 
-/// Receivers of one workgroup, and so the width of a tile.
-pub fn tile_width(samples: &Samples) -> u32 {
-    256 / samples.rows
-}
-
 /// Whether a triangle is one that this kernel takes: strictly between source and receivers.
 pub fn is_between(triangle: &Triangle, height: i32) -> bool {
     triangle.iter().all(|v| (1..height).contains(&v[2]))
 }
 
 fn program(columns: u32, rows: u32) -> Result<Arc<Program>> {
-    let values = [("COLUMNS", columns), ("ROWS", rows), ("LIST", LIST)];
+    let values = [("COLUMNS", columns), ("ROWS", rows), ("LIST", LIST), ("WIDTH", WIDTH), ("HEIGHT", HEIGHT)];
     let defines = values.map(|(name, value)| Define::new(name, format!("{value}u")));
     let program = crate::program("row_span", &format!("{columns}x{rows}"), &defines)?;
     Spans::check(&program, "row_span")?;
@@ -106,18 +110,22 @@ impl RowSpan {
     pub fn record(&self, job: &mut Job, receivers: &Receivers, tiles: &Tiles, scene: Scene) -> Result<()> {
         receivers.check()?;
         let words = u64::from(receivers.count()) * u64::from(self.samples.words());
-        if tiles.size[0] != tile_width(&self.samples) || scene.hidden.len() < words {
-            let what = format!("tiles of {:?} receivers and {} words of masks", tiles.size, scene.hidden.len());
-            let remedy = format!("use tiles {} receivers wide, and {words} words", tile_width(&self.samples));
+        let triangles = scene.vertices.len() / 9;
+        let is_tiled = tiles.size[0] == WIDTH && tiles.size[1].is_multiple_of(HEIGHT);
+        if !is_tiled || scene.hidden.len() < words || triangles > MAX_TRIANGLES {
+            let what = format!("tiles of {:?} receivers, {} words of masks", tiles.size, scene.hidden.len());
+            let what = format!("{what} and {triangles} triangles");
+            let remedy = format!("use tiles {WIDTH} receivers wide and a multiple of {HEIGHT} high, {words} words");
+            let remedy = format!("{remedy}, and at most {MAX_TRIANGLES} triangles at a time");
             return Err(Error::refused(what, remedy));
         }
         let program = job.program(&self.program);
-        for Launch { rows, skip } in tiles.launches(receivers.rows, 1, PAIRS, LIST) {
+        for Launch { rows, skip } in tiles.launches(receivers.rows, HEIGHT, PAIRS, LIST) {
             pieces::cut(job);
             let params = job.value("row span params", &self.params(receivers, tiles, rows.start, skip));
             let Scene { vertices, starts, entries, hidden } = scene;
             let bound = Spans { params, vertices, starts, entries, hidden };
-            job.launch(program, "row_span", &bound, [tiles.count[0], rows.len() as u32, 1]);
+            job.launch(program, "row_span", &bound, [tiles.count[0], (rows.len() as u32).div_ceil(HEIGHT), 1]);
         }
         Ok(())
     }

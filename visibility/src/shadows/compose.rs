@@ -8,7 +8,7 @@ use sightlines_kernels::grid::{Receivers, Triangle};
 use sightlines_kernels::half_planes::HalfPlanes;
 use sightlines_kernels::influence_region::InfluenceRegion;
 use sightlines_kernels::popcount::{Method, Popcount, Shape};
-use sightlines_kernels::row_span::{RowSpan, Scene, tile_width};
+use sightlines_kernels::row_span::{RowSpan, Scene, WIDTH};
 use sightlines_kernels::tiles::Tiles;
 
 use super::Work;
@@ -72,7 +72,7 @@ fn bake_band(
     progress: &mut dyn FnMut(f32),
 ) -> Result<Composed> {
     let (regions, mut work) = regions(backend, scene, band)?;
-    let tiles = Tiles::new([tile_width(&scene.samples), TILE_ROWS], band, &regions);
+    let tiles = Tiles::new([WIDTH, TILE_ROWS], band, &regions);
     let mut job = Job::new();
     let hidden = job.zeroed("hidden", u64::from(band.count()) * u64::from(scene.samples.words()));
     if !scene.between.is_empty() && !tiles.entries.is_empty() {
