@@ -26,13 +26,9 @@ impl Tiles {
     /// [`crate::influence_region`] writes them).
     pub fn new(size: [u32; 2], receivers: &Receivers, regions: &[[i32; 4]]) -> Self {
         let count = [receivers.columns.div_ceil(size[0]), receivers.rows.div_ceil(size[1])];
-        let tiles = |[x0, x1, y0, y1]: [i32; 4]| {
-            let empty = x0 > x1 || y0 > y1;
-            let range = |first: i32, last: i32, size: u32| {
-                if empty { 0..0 } else { first as u32 / size..last as u32 / size + 1 }
-            };
-            let columns = range(x0, x1, size[0]);
-            range(y0, y1, size[1]).flat_map(move |y| columns.clone().map(move |x| (y * count[0] + x) as usize))
+        let tiles = |region| {
+            let [columns, rows] = met(size, region);
+            rows.flat_map(move |y| columns.clone().map(move |x| (y * count[0] + x) as usize))
         };
         let mut starts = vec![0u32; (count[0] * count[1]) as usize + 1];
         regions.iter().flat_map(|region| tiles(*region)).for_each(|tile| starts[tile + 1] += 1);
@@ -90,6 +86,34 @@ impl Tiles {
     }
 }
 
+/// Columns and rows of tiles of this size that a region meets.
+fn met(size: [u32; 2], [x0, x1, y0, y1]: [i32; 4]) -> [Range<u32>; 2] {
+    if x0 > x1 || y0 > y1 {
+        return [0..0, 0..0];
+    }
+    [(x0, x1, size[0]), (y0, y1, size[1])].map(|(first, last, size)| first as u32 / size..last as u32 / size + 1)
+}
+
+/// Consecutive triangles that have at most `entries` entries in tiles of this size, a triangle of many by itself, and that
+/// are at most `triangles`.
+pub fn batches(size: [u32; 2], regions: &[[i32; 4]], entries: u64, triangles: usize) -> Vec<Range<usize>> {
+    let mut batches: Vec<Range<usize>> = Vec::new();
+    let mut held = 0;
+    for (number, region) in regions.iter().enumerate() {
+        let [columns, rows] = met(size, *region);
+        let more = columns.len() as u64 * rows.len() as u64;
+        held += more;
+        match batches.last_mut() {
+            Some(batch) if held <= entries && batch.len() < triangles => batch.end = number + 1,
+            _ => {
+                batches.push(number..number + 1);
+                held = more;
+            }
+        }
+    }
+    batches
+}
+
 /// Receiver rows, and which part of their tiles' lists.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Launch {
@@ -102,6 +126,18 @@ pub struct Launch {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn batches_hold_all_triangles_in_order_and_no_more_entries_than_they_may() {
+        let regions = [[0, 0, 0, 0], [0, 7, 0, 3], [1, 0, 0, 0], [4, 4, 2, 2], [0, 15, 0, 15], [0, 0, 0, 0]];
+        let size = [4, 2];
+        // Entries: 1, 4, 0, 1, 32, 1.
+        assert_eq!(batches(size, &regions, 5, 9), [0..3, 3..4, 4..5, 5..6]);
+        assert_eq!(batches(size, &regions, 6, 9), [0..4, 4..5, 5..6]);
+        assert_eq!(batches(size, &regions, 100, 6).first(), Some(&(0..6)));
+        assert_eq!(batches(size, &regions, 100, 2), [0..2, 2..4, 4..6]);
+        assert!(batches(size, &[], 5, 9).is_empty());
+    }
 
     #[test]
     fn launches_meet_every_row_with_every_entry_once() {

@@ -7,7 +7,7 @@ use sightlines_kernels::random;
 use sightlines_visibility::scene::{Generator, generate};
 use sightlines_visibility::setup::{Settings, Setup};
 use sightlines_visibility::shadows::snap::{Snapped, snap};
-use sightlines_visibility::shadows::{Bake, Rect, Request, Work, bake};
+use sightlines_visibility::shadows::{Bake, Effort, Rect, Request, Work, bake, bake_with};
 
 fn machine() -> CpuBackend {
     CpuBackend::new(Config { bounds: Bounds::Trap, ..Config::default() })
@@ -112,7 +112,8 @@ fn work_is_counted_and_does_not_depend_on_threads() {
     let request = request(small(), 24, 64, 0.4);
     let work = |threads, count| {
         let machine = CpuBackend::new(Config { threads, count, ..Config::default() });
-        bake(&machine, &request, &mut |_| ()).unwrap().work
+        // The sliver is a line on the grid, and culling would leave it out.
+        bake_with(&machine, &request, &Effort { cull: false, ..Effort::default() }, &mut |_| ()).unwrap().work
     };
     let one = work(1, true);
     assert_eq!(one.pairs, Defined::new(&request).pairs());
@@ -125,13 +126,13 @@ fn work_is_counted_and_does_not_depend_on_threads() {
 
 #[test]
 fn work_adds_up_and_what_is_not_counted_stays_so() {
-    let part = Work { pairs: 3, lane_ops: Some(40), counts: None };
+    let part = Work { pairs: 3, closed: 4, culled: 1, lane_ops: Some(40), counts: None };
     let mut sum = Work::default();
     sum += part;
     sum += part;
-    assert_eq!(sum, Work { pairs: 6, lane_ops: Some(80), counts: None });
+    assert_eq!(sum, Work { pairs: 6, closed: 8, culled: 2, lane_ops: Some(80), counts: None });
     sum += Work { lane_ops: None, ..part };
-    assert_eq!(sum, Work { pairs: 9, lane_ops: None, counts: None });
+    assert_eq!(sum, Work { pairs: 9, closed: 12, culled: 3, lane_ops: None, counts: None });
 }
 
 #[test]

@@ -241,7 +241,12 @@ fn work_is_reported_when_asked_for() {
         report.lines().filter(|line| !line.starts_with("time ")).map(|line| format!("{line}\n")).collect::<String>()
     };
     let counted = report("--threads 1 --counts");
-    assert_eq!(line(&counted, "pairs "), "4880 of a triangle and a receiver in its region, 1.2 a receiver");
+    assert_eq!(line(&counted, "pairs "), "2568 of a triangle and a receiver in its region, 0.6 a receiver");
+    assert_eq!(line(&counted, "culled "), "2 of 12 triangles of closed surfaces");
+    let whole = report("--threads 1 --counts --cull off");
+    assert_eq!(line(&whole, "pairs "), "4880 of a triangle and a receiver in its region, 1.2 a receiver");
+    assert_eq!(line(&whole, "culled "), "0 of 0 triangles of closed surfaces");
+    assert_eq!(line(&whole, "visible "), line(&counted, "visible "));
     for (key, unit) in [("lane-ops ", " a pair"), ("work ", " barriers"), ("memory ", " bytes")] {
         let line = line(&counted, key);
         let first: u64 = line.split([' ', ',']).next().unwrap().parse().unwrap();

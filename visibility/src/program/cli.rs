@@ -8,6 +8,7 @@ use sightlines_visibility::scene::Generator;
 use sightlines_visibility::setup::{Settings, Up};
 
 use super::ambient::{self, args::AmbientArgs};
+use super::effort::EffortArgs;
 use super::queries::{QUERIES_HELP, QueriesArgs};
 
 const AFTER_HELP: &str = "\
@@ -93,6 +94,9 @@ pub(crate) struct ShadowsArgs {
     /// Report pairs of triangle and receiver, and, on the interpreter, lane-operations and memory accesses.
     #[arg(long)]
     pub(crate) counts: bool,
+    /// What it may take.
+    #[command(flatten)]
+    pub(crate) effort: EffortArgs,
     /// Where the machine is chosen.
     #[command(flatten)]
     pub(crate) machine: MachineArgs,

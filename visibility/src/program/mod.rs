@@ -2,6 +2,7 @@
 
 pub(crate) mod ambient;
 pub(crate) mod cli;
+mod effort;
 mod machine;
 mod progress;
 pub(crate) mod queries;

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use sightlines_backend::{BackendInfo, Counts};
 use sightlines_visibility::image::{Share, write_exr, write_png};
 use sightlines_visibility::setup::Setup;
-use sightlines_visibility::shadows::{Work, bake};
+use sightlines_visibility::shadows::{Work, bake_with};
 use sightlines_visibility::{scene, sets};
 
 use super::cli::ShadowsArgs;
@@ -59,7 +59,7 @@ pub(crate) fn run(args: &ShadowsArgs, out: &mut dyn Write) -> Result<(), Failure
         request.light = light;
         let progress = Progress::new(format!("light {} of {}", number + 1, setup.lights.len()));
         let start = Instant::now();
-        let baked = bake(&*backend, &request, &mut |share| progress.show(share))?;
+        let baked = bake_with(&*backend, &request, &args.effort.effort(), &mut |share| progress.show(share))?;
         time += start.elapsed();
         drop(progress);
         if let Some(path) = outputs.sets.get(number) {
@@ -132,6 +132,7 @@ fn count(work: &Work, setup: &Setup, out: &mut dyn Write) -> Result<(), Failure>
     let receivers = u64::from(setup.resolution).pow(2) * setup.lights.len() as u64;
     let each = work.pairs as f64 / receivers as f64;
     writeln!(out, "pairs      {} of a triangle and a receiver in its region, {each:.1} a receiver", work.pairs)?;
+    writeln!(out, "culled     {} of {} triangles of closed surfaces", work.culled, work.closed)?;
     match work.lane_ops {
         Some(ops) => writeln!(out, "lane-ops   {ops}, {:.1} a pair", ops as f64 / work.pairs.max(1) as f64)?,
         None => writeln!(out, "lane-ops   not counted: only the interpreter has them")?,

@@ -3,13 +3,16 @@
 //! Receivers are worked on in bands whose sets fit one binding. Within a band every recording is of bounded cost, and
 //! progress is told after each.
 
+use std::ops::Range;
+
+use sightlines_backend::host::Buffer;
 use sightlines_backend::{Backend, Job};
-use sightlines_kernels::grid::{Receivers, Triangle};
+use sightlines_kernels::grid::Receivers;
 use sightlines_kernels::half_planes::HalfPlanes;
 use sightlines_kernels::influence_region::InfluenceRegion;
 use sightlines_kernels::popcount::{Method, Popcount, Shape};
 use sightlines_kernels::row_span::{RowSpan, Scene, WIDTH};
-use sightlines_kernels::tiles::Tiles;
+use sightlines_kernels::tiles::{self, Tiles};
 
 use super::Work;
 use super::snap::Snapped;
@@ -18,8 +21,12 @@ use crate::error::Result;
 /// Words of the sets of one band: 64 MiB, half of what a binding holds.
 const BAND_WORDS: u64 = 1 << 24;
 
-/// Receiver rows that share a list of triangles.
+/// Receiver rows that share a list of triangles, at least.
 const TILE_ROWS: u32 = 8;
+
+/// Most triangles at a time, 72 MiB of vertices, and most entries of their lists, 128 MiB: both are within a binding.
+const MOST_TRIANGLES: usize = 1 << 21;
+const MOST_ENTRIES: u64 = 1 << 25;
 
 /// What the kernels give for all receivers, in ascending x and y.
 pub(super) struct Composed {
@@ -32,7 +39,14 @@ pub(super) struct Composed {
 }
 
 /// Runs the kernels, band after band.
-pub(super) fn bake(backend: &dyn Backend, scene: &Snapped, progress: &mut dyn FnMut(f32)) -> Result<Composed> {
+///
+/// Triangles are taken in batches whose lists take at most `memory` bytes.
+pub(super) fn bake(
+    backend: &dyn Backend,
+    scene: &Snapped,
+    memory: u64,
+    progress: &mut dyn FnMut(f32),
+) -> Result<Composed> {
     let words = scene.samples.words();
     let receivers = scene.receivers;
     let most = BAND_WORDS / u64::from(words * receivers.columns);
@@ -52,7 +66,7 @@ pub(super) fn bake(backend: &dyn Backend, scene: &Snapped, progress: &mut dyn Fn
     };
     for (index, band) in bands.iter().enumerate() {
         let mut part = |share: f32| progress((index as f32 + share) / bands.len() as f32);
-        let Composed { masks, visible, work } = bake_band(backend, scene, band, &mut part)?;
+        let Composed { masks, visible, work } = bake_band(backend, scene, band, memory, &mut part)?;
         let count = band.count() as usize;
         all.masks.extend(
             (0..count).flat_map(|r| (0..words as usize).map(move |w| (w, r))).map(|(w, r)| masks[w * count + r]),
@@ -69,19 +83,26 @@ fn bake_band(
     backend: &dyn Backend,
     scene: &Snapped,
     band: &Receivers,
+    memory: u64,
     progress: &mut dyn FnMut(f32),
 ) -> Result<Composed> {
-    let (regions, mut work) = regions(backend, scene, band)?;
-    let tiles = Tiles::new([WIDTH, TILE_ROWS], band, &regions);
-    let mut job = Job::new();
-    let hidden = job.zeroed("hidden", u64::from(band.count()) * u64::from(scene.samples.words()));
-    if !scene.between.is_empty() && !tiles.entries.is_empty() {
-        let vertices = job.slice("vertices between", scene.between.as_flattened().as_flattened());
-        let starts = job.slice("tile starts", &tiles.starts);
-        let entries = job.slice("tile entries", &tiles.entries);
-        let buffers = Scene { vertices, starts, entries, hidden };
-        RowSpan::new(&scene.samples)?.record(&mut job, band, &tiles, buffers)?;
+    let mut work = Work::default();
+    let regions = regions(backend, scene, band, &mut work)?;
+    let size = [WIDTH, tile_rows(&regions)];
+    let entries = (memory / 4).clamp(1, MOST_ENTRIES);
+    let batches = tiles::batches(size, &regions, entries, MOST_TRIANGLES);
+    let mut masks = None;
+    for (index, batch) in batches.iter().enumerate() {
+        let mut part = |share: f32| progress(0.9 * (index as f32 + share) / batches.len() as f32);
+        let mut job = Job::new();
+        let hidden = upload(&mut job, masks, scene, band);
+        between(&mut job, scene, band, batch.clone(), &Tiles::new(size, band, &regions[batch.clone()]), hidden)?;
+        job.read("hidden", hidden.id());
+        let [words] = run(backend, &job, &mut work, &mut part)?;
+        masks = Some(words);
     }
+    let mut job = Job::new();
+    let hidden = upload(&mut job, masks, scene, band);
     if !scene.crossing.is_empty() {
         let vertices = job.slice("vertices crossing", scene.crossing.as_flattened().as_flattened());
         let all = 0..scene.crossing.len() as u32;
@@ -94,27 +115,62 @@ fn bake_band(
     Popcount::new()?.record(&mut job, Method::Builtin, shape, hidden, hidden_counts, visible)?;
     job.read("hidden", hidden.id());
     job.read("visible", visible.id());
-    let [masks, visible] = run(backend, &job, &mut work, progress)?;
+    let [masks, visible] = run(backend, &job, &mut work, &mut |share| progress(0.9 + 0.1 * share))?;
     Ok(Composed { masks, visible, work })
 }
 
-/// The influence regions of the triangles between, on a band, and the work of them and of the pairs that they make.
-fn regions(backend: &dyn Backend, scene: &Snapped, band: &Receivers) -> Result<(Vec<[i32; 4]>, Work)> {
-    let mut work = Work::default();
-    let triangles: &[Triangle] = &scene.between;
-    if triangles.is_empty() {
-        return Ok((Vec::new(), work));
+/// The masks of a band: as they stand, or nothing hidden yet.
+fn upload(job: &mut Job, masks: Option<Vec<u32>>, scene: &Snapped, band: &Receivers) -> Buffer<[u32]> {
+    match masks {
+        Some(masks) => job.slice("hidden", &masks),
+        None => job.zeroed("hidden", u64::from(band.count()) * u64::from(scene.samples.words())),
     }
-    let mut job = Job::new();
-    let vertices = job.slice("vertices", triangles.as_flattened().as_flattened());
-    let regions = job.zeroed("regions", 4 * triangles.len() as u64);
-    InfluenceRegion::new()?.record(&mut job, &scene.samples, band, vertices, regions)?;
-    job.read("regions", regions.id());
-    let [words] = run(backend, &job, &mut work, &mut |_| ())?;
-    let regions: Vec<_> = words.as_chunks().0.iter().map(|region: &[u32; 4]| region.map(|word| word as i32)).collect();
+}
+
+/// Records what a batch of the triangles between hides.
+fn between(
+    job: &mut Job,
+    scene: &Snapped,
+    band: &Receivers,
+    batch: Range<usize>,
+    tiles: &Tiles,
+    hidden: Buffer<[u32]>,
+) -> Result<()> {
+    if tiles.entries.is_empty() {
+        return Ok(());
+    }
+    let vertices = job.slice("vertices between", scene.between[batch].as_flattened().as_flattened());
+    let starts = job.slice("tile starts", &tiles.starts);
+    let entries = job.slice("tile entries", &tiles.entries);
+    RowSpan::new(&scene.samples)?.record(job, band, tiles, Scene { vertices, starts, entries, hidden })?;
+    Ok(())
+}
+
+/// Rows of a tile: a quarter of what the triangles' regions have in the mean, so that lists are short and few receivers are
+/// looked at in vain.
+fn tile_rows(regions: &[[i32; 4]]) -> u32 {
+    let heights = regions.iter().filter(|[x0, x1, ..]| x0 <= x1).map(|[.., y0, y1]| (y1 - y0 + 1).max(0) as u64);
+    let (count, sum) = heights.filter(|height| *height > 0).fold((0, 0), |(n, sum), height| (n + 1, sum + height));
+    let mean: u64 = sum.checked_div(count).unwrap_or(0);
+    ((mean / 4).next_power_of_two() as u32).clamp(TILE_ROWS, 8 * TILE_ROWS)
+}
+
+/// The influence regions of the triangles between, on a band; their work and the pairs that they make are added to `work`.
+fn regions(backend: &dyn Backend, scene: &Snapped, band: &Receivers, work: &mut Work) -> Result<Vec<[i32; 4]>> {
+    let mut regions = Vec::with_capacity(scene.between.len());
+    let kernel = InfluenceRegion::new()?;
+    for triangles in scene.between.chunks(MOST_TRIANGLES) {
+        let mut job = Job::new();
+        let vertices = job.slice("vertices", triangles.as_flattened().as_flattened());
+        let words = job.zeroed("regions", 4 * triangles.len() as u64);
+        kernel.record(&mut job, &scene.samples, band, vertices, words)?;
+        job.read("regions", words.id());
+        let [words] = run(backend, &job, work, &mut |_| ())?;
+        regions.extend(words.as_chunks().0.iter().map(|region: &[u32; 4]| region.map(|word| word as i32)));
+    }
     let side = |first: i32, last: i32| (i64::from(last) - i64::from(first) + 1).max(0) as u64;
-    work.pairs = regions.iter().map(|[x0, x1, y0, y1]| side(*x0, *x1) * side(*y0, *y1)).sum();
-    Ok((regions, work))
+    work.pairs += regions.iter().map(|[x0, x1, y0, y1]| side(*x0, *x1) * side(*y0, *y1)).sum::<u64>();
+    Ok(regions)
 }
 
 /// Runs a job, adds its costs to `work` and gives the words of its `N` reads.
@@ -130,7 +186,7 @@ fn run<const N: usize>(
         session.submit(recording)?;
         progress(index as f32 / job.recordings.len() as f32);
     }
-    *work += Work { pairs: 0, lane_ops: session.lane_ops(), counts: session.counts() };
+    *work += Work { lane_ops: session.lane_ops(), counts: session.counts(), ..Work::default() };
     let mut outputs: [Vec<u32>; N] = std::array::from_fn(|_| Vec::new());
     for (output, read) in outputs.iter_mut().zip(&job.reads) {
         let bytes = session.read(read)?;

@@ -4,6 +4,7 @@
 //! quantised scene. Bit `i % 32` of word `i / 32` of a texel is set iff sample `i` is hidden from it.
 
 mod compose;
+pub mod cull;
 pub mod snap;
 
 use std::ops::AddAssign;
@@ -21,6 +22,9 @@ pub const MAX_RESOLUTION: u32 = 8192;
 
 /// Most words of all sets together: 2 GiB.
 pub const MAX_WORDS: u64 = 1 << 29;
+
+/// Bytes of the triangles' lists at a time, unless told otherwise.
+pub const MEMORY: u64 = 64 << 20;
 
 /// A rectangle in space: `corner + s u + t v` for s and t in [0, 1], with u and v at right angles.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,6 +50,21 @@ pub struct Request {
     pub resolution: u32,
     /// Samples of the light: one of [`SAMPLES`].
     pub samples: u32,
+}
+
+/// How to bake. Whatever it says, the sets are the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Effort {
+    /// Leave out faces of closed surfaces that others make redundant.
+    pub cull: bool,
+    /// Bytes of the triangles' lists at a time; more triangles are taken in turns.
+    pub memory: u64,
+}
+
+impl Default for Effort {
+    fn default() -> Self {
+        Effort { cull: true, memory: MEMORY }
+    }
 }
 
 /// The hidden-sample sets of a receiver.
@@ -82,6 +101,10 @@ pub struct Work {
     /// Pairs of a triangle and a receiver in its influence region; a triangle that crosses the receivers' plane is paired
     /// with all of them. The same on every machine.
     pub pairs: u64,
+    /// Triangles of closed surfaces.
+    pub closed: u64,
+    /// Triangles of closed surfaces that were left out.
+    pub culled: u64,
     /// Lane-operations ([`Session::lane_ops`](sightlines_backend::Session::lane_ops)), from the interpreter.
     pub lane_ops: Option<u64>,
     /// Semantic costs of all kernels, from machines that are told to count them.
@@ -91,7 +114,7 @@ pub struct Work {
 impl Default for Work {
     /// No work, all of it counted.
     fn default() -> Self {
-        Work { pairs: 0, lane_ops: Some(0), counts: Some(Counts::default()) }
+        Work { pairs: 0, closed: 0, culled: 0, lane_ops: Some(0), counts: Some(Counts::default()) }
     }
 }
 
@@ -99,6 +122,8 @@ impl AddAssign for Work {
     /// What one of the two did not count stays uncounted.
     fn add_assign(&mut self, more: Work) {
         self.pairs += more.pairs;
+        self.closed += more.closed;
+        self.culled += more.culled;
         self.lane_ops = self.lane_ops.zip(more.lane_ops).map(|(sum, more)| sum + more);
         self.counts = self.counts.zip(more.counts).map(|(mut sum, more)| {
             sum += more;
@@ -113,8 +138,29 @@ impl AddAssign for Work {
 ///
 /// A request whose geometry does not fit the grid ([`snap::snap`] lists why), and whatever the backend refuses.
 pub fn bake(backend: &dyn Backend, request: &Request, progress: &mut dyn FnMut(f32)) -> Result<Bake> {
-    let scene = snap::snap(request)?;
-    let Composed { masks, visible, work } = compose::bake(backend, &scene, progress)?;
+    bake_with(backend, request, &Effort::default(), progress)
+}
+
+/// [`bake`], as `effort` says.
+///
+/// # Errors
+///
+/// As of [`bake`].
+pub fn bake_with(
+    backend: &dyn Backend,
+    request: &Request,
+    effort: &Effort,
+    progress: &mut dyn FnMut(f32),
+) -> Result<Bake> {
+    let mut scene = snap::snap(request)?;
+    let mut work = Work::default();
+    if effort.cull {
+        let cull::Culled { kept, closed, dropped } = cull::cull(&scene.samples, &scene.between);
+        scene.between = kept;
+        work += Work { closed, culled: dropped, ..Work::default() };
+    }
+    let Composed { masks, visible, work: more } = compose::bake(backend, &scene, effort.memory, progress)?;
+    work += more;
     let (words, resolution) = (scene.samples.words(), request.resolution);
     let samples_uv = (0..request.samples).map(|sample| scene.samples.at(sample)).map(|[x, y, _]| [x, y]).collect();
     let upright = |words, planes| upright(planes, words as usize, resolution as usize, scene.mirrored);
