@@ -40,7 +40,7 @@ const SUBJECTS: [Subject; 6] = [
     Subject {
         name: "colonnade",
         work: Work::Ambient {
-            options: &["--level", "3", "--environment", "sky", "--rotate", "50", "--size", "96x64"],
+            options: &["--level", "2", "--environment", "sky", "--rotate", "50", "--size", "96x64"],
             names: &["a.glb", "a.ply", "a.occl", "a.png"],
         },
     },

@@ -1,10 +1,10 @@
 //! Light from far away: a latitude–longitude map of an environment, and what of it each direction brings.
 //!
-//! "Ambient occlusion by occlusion queries", section 5: the map is filtered with a Gaussian and looked up at the light's
-//! directions; turning the environment turns the look-ups, and no visibility changes. Maps follow the usual convention:
-//! seen from inside, the middle column looks along −z with +x to its right and +y up, where y is up. Maps are brought to
-//! at most 512 columns by averaging areas before they go to the device. Invariant: what reaches the device is integers,
-//! made in IEEE f64 and `libm` from finite texels that are not negative.
+//! "Ambient occlusion by occlusion queries", section 5: the map is filtered with a Gaussian and looked up at the
+//! light's directions; turning the environment turns the look-ups, and no visibility changes. Maps follow the usual
+//! convention: seen from inside, the middle column looks along −z with +x to its right and +y up, where y is up. Maps
+//! are brought to at most 512 columns by averaging areas before they go to the device. Invariant: what reaches the
+//! device is integers, made in IEEE f64 and `libm` from finite texels that are not negative.
 
 use glam::{IVec4, UVec4};
 use sightlines_backend::host::Buffer;

@@ -1,8 +1,8 @@
 //! Shaded scenes as files: binary glTF and PLY, with a colour at every vertex.
 //!
-//! glTF has linear colours of 16 bits and an unlit material, so viewers show what was baked; PLY has the bytes that gamma
-//! encodes, as its viewers expect. Both hold the scene's own vertices, normals and parts. Invariant: equal colours give
-//! equal bytes.
+//! glTF has linear colours of 16 bits and an unlit material, so viewers show what was baked; PLY has the bytes that
+//! gamma encodes, as its viewers expect. Both hold the scene's own vertices, normals and parts. Invariant: equal
+//! colours give equal bytes.
 
 use std::io;
 use std::path::Path;

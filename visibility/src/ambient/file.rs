@@ -1,7 +1,7 @@
 //! The visibility matrix in a file, complete or on the way: for other programs, and to go on after an interruption.
 //!
-//! All numbers are little-endian. Offsets and sizes in bytes, P positions, V vertices, D directions of which the bits are
-//! there:
+//! All numbers are little-endian. Offsets and sizes in bytes, P positions, V vertices, D directions of which the bits
+//! are there:
 //!
 //! | offset | size | what |
 //! |---|---|---|
@@ -17,7 +17,7 @@
 //! | 48 | 8 | f64: side of a cell, in scene units |
 //! | 56 | 32 | BLAKE3 digest of positions and triangles, by which a mesh is known again |
 //! | 88 | 4 V | u32: position of each vertex |
-//! | … | 4 P ⌈D / 32⌉ | u32: word after word of all positions; bit i % 32 of word i / 32: occluded towards direction i |
+//! | … | 4 P ⌈D / 32⌉ | u32: words of all positions, one after another; bit i % 32 of word i / 32: hidden from i |
 //! | … | 32 | BLAKE3 digest of all that stands before |
 //!
 //! Directions are those of the kernel `light_sphere`, in its order.

@@ -1,9 +1,9 @@
 //! Environment maps from files: Radiance HDR and OpenEXR, as latitude–longitude maps or as crosses of a cube's faces.
 //!
 //! The shape tells the layout: 2 : 1 is latitude–longitude, 4 : 3 a cross that lies (left, front, right, back; top and
-//! bottom at the front), 3 : 4 one that stands (top, front, bottom, back upside down; left and right at the front). Faces
-//! are seen from inside; the front is −z, with +x to its right and +y up, the middle of a latitude–longitude map. A cross
-//! becomes a latitude–longitude map of four sides by two, by the texel that each direction meets.
+//! bottom at the front), 3 : 4 one that stands (top, front, bottom, back upside down; left and right at the front).
+//! Faces are seen from inside; the front is −z, with +x to its right and +y up, the middle of a latitude–longitude map.
+//! A cross becomes a latitude–longitude map of four sides by two, by the texel that each direction meets.
 
 use std::io::Cursor;
 use std::path::Path;

@@ -1,10 +1,10 @@
 //! The visibility matrix on a device: refined block by block, multiplied with intensities as often as they change.
 //!
-//! "Ambient occlusion by occlusion queries", sections 3.2 to 3.4. The matrix stays in device memory from the first block to
-//! the last colour; it is read only where a file wants it. A row of bits is 32 directions of all positions, so whatever is
-//! complete stays valid while more directions follow. Positions whose rows would outgrow a binding are divided among
-//! several [`Part`]s. Invariant: the bits of the first [`Matrix::done`] directions are those of `vertex_visibility`'s
-//! definition, whatever the blocks, the parts and the machine.
+//! "Ambient occlusion by occlusion queries", sections 3.2 to 3.4. The matrix stays in device memory from the first
+//! block to the last colour; it is read only where a file wants it. A row of bits is 32 directions of all positions, so
+//! whatever is complete stays valid while more directions follow. Positions whose rows would outgrow a binding are
+//! divided among several [`Part`]s. Invariant: the bits of the first [`Matrix::done`] directions are those of
+//! `vertex_visibility`'s definition, whatever the blocks, the parts and the machine.
 
 use sightlines_backend::{Backend, Counts};
 use sightlines_kernels::light_sphere::oracle::Direction;
@@ -48,8 +48,8 @@ pub struct Work {
 }
 
 impl<'a> Matrix<'a> {
-    /// An empty matrix of all positions, on `backend`, with room for `sphere`. Occluders closer than `bias` cells do not
-    /// count.
+    /// An empty matrix of all positions, on `backend`, with room for `sphere`. Occluders closer than `bias` cells do
+    /// not count.
     ///
     /// # Errors
     ///
@@ -96,8 +96,8 @@ impl<'a> Matrix<'a> {
         self.positions
     }
 
-    /// Computes the next block towards the directions of `target`, a refinement of the sphere it was opened for; `false`
-    /// where all of them are done.
+    /// Computes the next block towards the directions of `target`, a refinement of the sphere it was opened for;
+    /// `false` where all of them are done.
     ///
     /// # Errors
     ///
@@ -149,8 +149,8 @@ impl<'a> Matrix<'a> {
         Ok(())
     }
 
-    /// Multiplies the matrix with intensities, which are those of the first [`Matrix::done`] directions or of fewer, and
-    /// puts the colours of its vertices into `colours`, which holds those of the whole surface.
+    /// Multiplies the matrix with intensities, which are those of the first [`Matrix::done`] directions or of fewer,
+    /// and puts the colours of its vertices into `colours`, which holds those of the whole surface.
     ///
     /// # Errors
     ///
@@ -165,7 +165,8 @@ impl<'a> Matrix<'a> {
         self.parts.iter_mut().try_for_each(|part| part.light(&self.kernels, intensities, colours))
     }
 
-    /// Encodes the colours of the last [`Matrix::light`] as bytes, by [`sightlines_kernels::illumination::gamma_table`].
+    /// Encodes the colours of the last [`Matrix::light`] as bytes, by
+    /// [`sightlines_kernels::illumination::gamma_table`].
     ///
     /// # Errors
     ///
@@ -211,4 +212,26 @@ fn check_size(positions: u64, words: u64, sphere: Sphere) -> Result<()> {
     let what = format!("the matrix of {positions} positions and {sphere} has {} MiB", (positions * words) >> 18);
     let remedy = format!("choose a lower level: at most {} MiB are taken", MAX_WORDS >> 18);
     Err(Place::default().element("level").error(what, remedy))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn levels_beyond_memory_are_refused_with_a_remedy() {
+        let sphere = Sphere::Octahedron { level: 6 };
+        assert!(check_size(2_093_000, 513, sphere).is_ok());
+        let message = check_size(2_100_000, 513, sphere).unwrap_err().to_string();
+        assert!(message.contains("level: the matrix of 2100000 positions and octahedron level 6"), "{message}");
+        assert!(message.contains("has 4109 MiB") && message.contains("at most 4096 MiB"), "{message}");
+    }
+
+    #[test]
+    fn blocks_have_few_shapes() {
+        assert_eq!(block_shapes(Sphere::Octahedron { level: 0 }), [6]);
+        assert_eq!(block_shapes(Sphere::Octahedron { level: 5 }), [2, 6, 18, 64]);
+        assert_eq!(block_shapes(Sphere::Healpix { order: 0 }), [12]);
+        assert_eq!(block_shapes(Sphere::Healpix { order: 2 }), [64]);
+    }
 }

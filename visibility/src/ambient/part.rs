@@ -1,7 +1,7 @@
 //! The positions of a matrix whose rows fit one binding, in a session of their own.
 //!
-//! Three stages share its memory: blocks of visibility, light and encoding. They are recorded when they are needed, against
-//! tables that were measured when the session was opened.
+//! Three stages share its memory: blocks of visibility, light and encoding. They are recorded when they are needed,
+//! against tables that were measured when the session was opened.
 
 use glam::{IVec4, UVec4};
 use sightlines_backend::host::Buffer;

@@ -1,8 +1,8 @@
 //! Pictures of a shaded surface, and which triangles a camera sees.
 //!
-//! The exact raster draws triangle numbers once for a camera; colours are then interpolated where a pixel's ray meets its
-//! triangle's plane. One [`View`] serves any number of lights, and the lists of lazy evaluation. Invariant: a triangle is
-//! seen if and only if the raster gives it a pixel.
+//! The exact raster draws triangle numbers once for a camera; colours are then interpolated where a pixel's ray meets
+//! its triangle's plane. One [`View`] serves any number of lights, and the lists of lazy evaluation. Invariant: a
+//! triangle is seen if and only if the raster gives it a pixel.
 
 use sightlines_backend::{Backend, Job};
 use sightlines_kernels::raster::{self, Faces, Ids, NOTHING, Picture, Raster};

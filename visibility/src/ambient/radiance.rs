@@ -1,8 +1,8 @@
 //! Radiance's `.hdr` pictures: RGBE texels, flat or run-length encoded, in any of the eight orders of scanlines.
 //!
-//! G. Ward, "Real Pixels", in *Graphics Gems II* (1991), and the format's description in Radiance's documentation. It is
-//! read here because results must be the same bits on every host and every damage must be named: a texel is mantissa ×
-//! 2^(exponent − 136) exactly, and neither runs past a scanline nor missing bytes pass for a picture.
+//! G. Ward, "Real Pixels", in *Graphics Gems II* (1991), and the format's description in Radiance's documentation. It
+//! is read here because results must be the same bits on every host and every damage must be named: a texel is mantissa
+//! × 2^(exponent − 136) exactly, and neither runs past a scanline nor missing bytes pass for a picture.
 
 use crate::error::{Place, Result};
 

@@ -67,8 +67,9 @@ impl Sphere {
         }
     }
 
-    /// The finest of its refinements whose cost for a mesh is within `budget`, or the coarsest: directions times positions
-    /// and triangles, all of which each direction visits. The same numbers give the same level on every machine.
+    /// The finest of its refinements whose cost for a mesh is within `budget`, or the coarsest: directions times
+    /// positions and triangles, all of which each direction visits. The same numbers give the same level on every
+    /// machine.
     pub fn within(self, budget: u64, surface: &Surface) -> Sphere {
         let each = u64::from(surface.positions()) + surface.mesh.triangles.len() as u64;
         let refinements = self.refinements();

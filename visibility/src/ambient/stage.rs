@@ -1,10 +1,10 @@
 //! Recordings that are run again and again over the memory of one session.
 //!
-//! A session's buffers are fixed when it is opened, and kernels allocate as they record. A [`Stage`] makes the two meet:
-//! recording the same kernels from the same table of buffers allocates the same buffers, so a later recording fits the
-//! session that an earlier one was measured for. What varies is only how much of each buffer is used. Invariants: a
-//! stage's own buffers are zero when it begins, as they would be in a new session; every recording is checked against the
-//! session's table before it runs.
+//! A session's buffers are fixed when it is opened, and kernels allocate as they record. A [`Stage`] makes the two
+//! meet: recording the same kernels from the same table of buffers allocates the same buffers, so a later recording
+//! fits the session that an earlier one was measured for. What varies is only how much of each buffer is used.
+//! Invariants: a stage's own buffers are zero when it begins, as they would be in a new session; every recording is
+//! checked against the session's table before it runs.
 
 use sightlines_backend::{Command, Error, Job, Recording, Result};
 

@@ -1,9 +1,9 @@
 //! What light falls on: a scene's vertices with unit normals, and its triangles on the grid.
 //!
-//! The longest side of the scene's box becomes 32,766 cells of the grid; vertices are rounded to it once, here, and those
-//! that fall on one cell share a position, and so their visibility. Normals come from the file or, where it has none, from
-//! the triangles around a position, weighted by area. Invariants: every vertex is a corner of a triangle, every normal has
-//! a length of at most 2^15 units, and all of it is made in integers and IEEE f64.
+//! The longest side of the scene's box becomes 32,766 cells of the grid; vertices are rounded to it once, here, and
+//! those that fall on one cell share a position, and so their visibility. Normals come from the file or, where it has
+//! none, from the triangles around a position, weighted by area. Invariants: every vertex is a corner of a triangle,
+//! every normal has a length of at most 2^15 units, and all of it is made in integers and IEEE f64.
 
 use std::collections::HashMap;
 use std::ops::Range;

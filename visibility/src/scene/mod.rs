@@ -50,7 +50,8 @@ pub struct Mesh {
     pub name: String,
     /// Corners, in scene units.
     pub vertices: Vec<[f64; 3]>,
-    /// A normal of any length for each vertex, zero where the file has none for it; none at all where it has none for any.
+    /// A normal of any length for each vertex, zero where the file has none for it; none at all where it has none for
+    /// any.
     pub normals: Vec<[f64; 3]>,
     /// Three vertices each.
     pub triangles: Vec<[u32; 3]>,

@@ -1,9 +1,12 @@
-//! Wavefront OBJ, through `tobj`. Only positions and faces matter; materials are not looked for.
+//! Wavefront OBJ, through `tobj`. Positions, faces and normals matter; materials are not looked for.
+//!
+//! Normals are taken where every corner of every face has one that is there; a vertex with several becomes as many.
 //!
 //! `tobj` would refuse a mesh for its texture coordinates, makes a face of a polyline, and tells what is wrong but not
 //! where. So it is given the [`statements`] that matter, through a reader that knows how far it has come.
 
 use std::borrow::Cow;
+use std::collections::HashMap;
 use std::io::{self, BufRead, Read};
 use std::path::Path;
 
@@ -16,7 +19,8 @@ const REMEDY: &str = "mend the line, or export the mesh again";
 
 pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Scene> {
     let text = text(path, bytes)?;
-    let mut lines = Lines { statements: statements(&text), number: 0, text: String::new(), used: 0 };
+    let with_normals = has_all_normals(&text);
+    let mut lines = Lines { statements: statements(&text, with_normals), number: 0, text: String::new(), used: 0 };
     let options = LoadOptions { ignore_points: true, ignore_lines: true, ..LoadOptions::default() };
     let (models, _) = tobj::load_obj_buf(&mut lines, &options, |_| Ok((Vec::new(), Default::default()))).map_err(
         |error| match error {
@@ -44,24 +48,46 @@ fn text<'a>(path: &Path, bytes: &'a [u8]) -> Result<Cow<'a, str>> {
 fn part(path: &Path, model: tobj::Model) -> Result<Mesh> {
     let tobj::Model { mesh, name } = model;
     let place = || Place::file(path).element(format!("mesh `{name}`"));
-    let (vertices, _) = mesh.positions.as_chunks::<3>();
+    let (vertices, normals, indices) = corners(&mesh);
+    let vertices = vertices.as_slice();
     limit(place(), "vertices", vertices.len(), MAX_VERTICES)?;
-    let mut triangles = Vec::with_capacity(mesh.indices.len() / 3);
+    let mut triangles = Vec::with_capacity(indices.len() / 3);
     if mesh.face_arities.is_empty() {
-        triangles.extend_from_slice(mesh.indices.as_chunks::<3>().0);
+        triangles.extend_from_slice(indices.as_chunks::<3>().0);
     }
-    let mut rest = mesh.indices.as_slice();
+    let mut rest = indices.as_slice();
     for &arity in &mesh.face_arities {
         let (corners, after) = rest.split_at(arity as usize);
         polygon::triangulate(place, vertices, corners, &mut triangles)?;
         rest = after;
     }
-    Ok(Mesh { vertices: vertices.to_vec(), triangles, name, ..Mesh::default() })
+    Ok(Mesh { vertices: vertices.to_vec(), triangles, name, normals })
+}
+
+/// Vertices, their normals if there are any, and the vertices of all corners: each pair of position and normal once.
+fn corners(mesh: &tobj::Mesh) -> (Vec<[f64; 3]>, Vec<[f64; 3]>, Vec<u32>) {
+    let (positions, normals) = (mesh.positions.as_chunks::<3>().0, mesh.normals.as_chunks::<3>().0);
+    if normals.is_empty() || mesh.normal_indices.len() != mesh.indices.len() {
+        return (positions.to_vec(), Vec::new(), mesh.indices.clone());
+    }
+    let mut known = HashMap::new();
+    let mut pairs: Vec<(u32, u32)> = Vec::new();
+    let mut vertex = |pair: (u32, u32)| {
+        *known.entry(pair).or_insert_with(|| {
+            pairs.push(pair);
+            pairs.len() as u32 - 1
+        })
+    };
+    let corners = mesh.indices.iter().zip(&mesh.normal_indices).map(|(p, n)| vertex((*p, *n))).collect();
+    let take = |from: &[[f64; 3]], at: u32| from[at as usize];
+    let vertices = pairs.iter().map(|pair| take(positions, pair.0)).collect();
+    (vertices, pairs.iter().map(|pair| take(normals, pair.1)).collect(), corners)
 }
 
 /// What matters of a file, one line each with the number of its first line: `v` with its coordinates (and weight), `f`
-/// with its vertices, and the names of objects and groups. A backslash at its end continues a line.
-fn statements(text: &str) -> impl Iterator<Item = (usize, String)> {
+/// with its vertices, the names of objects and groups, and `vn` if normals are wanted. A backslash at its end continues
+/// a line.
+fn statements(text: &str, with_normals: bool) -> impl Iterator<Item = (usize, String)> {
     let mut lines = text.lines().enumerate();
     std::iter::from_fn(move || {
         let (number, line) = lines.next()?;
@@ -71,19 +97,36 @@ fn statements(text: &str) -> impl Iterator<Item = (usize, String)> {
             statement.push(' ');
             statement.push_str(lines.next().map_or("", |(_, line)| line));
         }
-        Some((number + 1, essence(&statement)))
+        Some((number + 1, essence(&statement, with_normals)))
     })
 }
 
-fn essence(statement: &str) -> String {
+/// Whether every corner of every face has a normal that the file has.
+fn has_all_normals(text: &str) -> bool {
+    let count = statements(text, true).filter(|(_, line)| line.starts_with("vn ")).count() as i64;
+    let is_there = |corner: &str| {
+        let normal: Option<i64> = corner.split('/').nth(2).and_then(|word| word.parse().ok());
+        normal.is_some_and(|normal| normal != 0 && (-count..=count).contains(&normal))
+    };
+    let faces = statements(text, true);
+    count > 0 && { faces }
+        .all(|(_, line)| line.strip_prefix("f ").is_none_or(|corners| corners.split(' ').all(is_there)))
+}
+
+fn essence(statement: &str, with_normals: bool) -> String {
     let words: Vec<&str> = statement.split_whitespace().collect();
     match words.as_slice() {
         ["v", x, y, z, w] => ["v", x, y, z, w].join(" "),
         ["v", rest @ ..] => ["v"].iter().chain(rest.iter().take(3)).copied().collect::<Vec<_>>().join(" "),
         ["f", corners @ ..] => {
-            let vertex = |corner: &&str| corner.split('/').next().unwrap_or_default().to_owned();
+            let vertex = |corner: &&str| {
+                let mut numbers = corner.split('/');
+                let (position, normal) = (numbers.next().unwrap_or_default(), numbers.nth(1));
+                normal.filter(|_| with_normals).map_or(position.to_owned(), |normal| format!("{position}//{normal}"))
+            };
             ["f".to_owned()].into_iter().chain(corners.iter().map(vertex)).collect::<Vec<_>>().join(" ")
         }
+        ["vn", rest @ ..] if with_normals => ["vn"].iter().chain(rest).copied().collect::<Vec<_>>().join(" "),
         ["o" | "g", ..] => statement.trim().to_owned(),
         _ => String::new(),
     }
@@ -91,9 +134,9 @@ fn essence(statement: &str) -> String {
 
 /// The first face that uses a vertex which the file does not have.
 fn out_of_range(path: &Path, text: &str) -> Error {
-    let count = statements(text).filter(|(_, line)| line.starts_with("v ")).count() as i64;
+    let count = statements(text, false).filter(|(_, line)| line.starts_with("v ")).count() as i64;
     let mut so_far = 0;
-    for (number, line) in statements(text) {
+    for (number, line) in statements(text, false) {
         so_far += i64::from(line.starts_with("v "));
         let corners = line.strip_prefix("f ").unwrap_or_default().split(' ').filter_map(|word| word.parse().ok());
         if let Some(bad) = { corners }.find(|&i: &i64| i == 0 || i > count || i < -so_far) {

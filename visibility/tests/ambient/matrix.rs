@@ -107,6 +107,20 @@ fn a_matrix_that_was_interrupted_anywhere_goes_on_to_the_same_end() {
 }
 
 #[test]
+fn a_matrix_that_outgrows_a_binding_is_divided_and_does_not_show_it() {
+    // 35,000 positions of 513 words are more than half a binding.
+    let (surface, machine) = (bumpy(70_000), machine());
+    let coarse = Sphere::Octahedron { level: 0 };
+    let mut divided = Matrix::open(&machine, &surface, Sphere::Octahedron { level: 6 }, 1).unwrap();
+    finish(&mut divided, coarse);
+    let words = divided.words().unwrap();
+    assert!(words == self::words(&surface, coarse, 1));
+    let mut again = Matrix::open(&machine, &surface, Sphere::Octahedron { level: 6 }, 1).unwrap();
+    again.restore(6, &words).unwrap();
+    assert!(again.words().unwrap() == words);
+}
+
+#[test]
 fn neither_threads_nor_simd_show() {
     let surface = surface(Generator::Quads);
     let expected = words(&surface, LEVEL_2, 1);

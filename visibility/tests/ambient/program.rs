@@ -208,3 +208,25 @@ fn frames_of_a_motion_keep_to_their_budget() {
     assert!(folder.refusal("--scene box --frames 2 --picture c.png").contains("--frames: the scene does not move"));
     assert!(folder.refusal("--scene box --camera here --picture c.png").contains("`here` is no camera"));
 }
+
+/// One triangle that is moved by two units in two seconds.
+const MOVED: &str = r#"{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}],
+        "samplers": [{"input": 1, "output": 2}]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
+        {"bufferView": 0, "byteOffset": 36, "componentType": 5126, "count": 2, "type": "SCALAR", "min": [0], "max": [2]},
+        {"bufferView": 0, "byteOffset": 44, "componentType": 5126, "count": 2, "type": "VEC3"}],
+    "bufferViews": [{"buffer": 0, "byteLength": 68}], "buffers": [{"uri": "a.bin", "byteLength": 68}]}"#;
+
+#[test]
+fn what_is_only_shifted_keeps_its_colours() {
+    let folder = Folder::new();
+    let floats = [0.0_f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0];
+    std::fs::write(folder.path("a.bin"), floats.map(f32::to_le_bytes).concat()).unwrap();
+    std::fs::write(folder.path("a.gltf"), MOVED).unwrap();
+    let report = folder.report("a.gltf --backend cpu --level 1 --frames 2 --size 80x60 --picture a.png");
+    assert!(report.contains("a.0.png: 3 positions, octahedron level 1: 18 directions"), "{report}");
+    assert!(report.contains("a.1.png: 3 positions, as before"), "{report}");
+    assert!(folder.read("a.0.png") != folder.read("a.1.png"), "the camera stays where it is");
+}

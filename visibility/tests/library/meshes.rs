@@ -225,3 +225,18 @@ fn ply_normals_are_read_where_all_three_are_there() {
     let scene = load_bytes("mesh.ply", text(&normal.replace("nz", "curvature"), "0 0.5 -2")).unwrap();
     assert!(scene.parts[0].normals.is_empty());
 }
+
+#[test]
+fn obj_normals_are_read_where_every_corner_has_one() {
+    let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvn 0 0 2\nvn 1 0 0\nf 1//1 2//1 3/9/1\nf 1//-1 3//-1 4//-1\n";
+    let part = load_bytes("mesh.obj", text).unwrap().parts.remove(0);
+    // Vertices 1 and 3 have a normal in each face.
+    assert_eq!(part.vertices.len(), 6);
+    assert_eq!(part.triangles, [[0, 1, 2], [3, 4, 5]]);
+    assert_eq!((part.normals[2], part.normals[4]), ([0.0, 0.0, 2.0], [1.0, 0.0, 0.0]));
+    assert_eq!(part.vertices[2], part.vertices[4]);
+    for lacking in [text.replace("f 1//1", "f 1"), text.replace("f 1//-1", "f 1//3"), text.replace("vn", "#")] {
+        let part = load_bytes("mesh.obj", lacking).unwrap().parts.remove(0);
+        assert_eq!((part.vertices.len(), part.normals.len()), (4, 0));
+    }
+}

@@ -15,9 +15,9 @@ use crate::program::queries::{size, world};
 /// What the long help says beyond the arguments.
 pub(crate) const HELP: &str = "\
 Every vertex is tested against directional lights all around, exactly, and shaded with what it sees of an environment:
-white by default, which is plain ambient occlusion. With --matrix the visibility is kept in a file as it is computed; after
-an interruption, or to refine it, --resume goes on from there. Seen from inside, the middle of an environment looks along
--z, with +x to its right and +y up, where y is up.
+white by default, which is plain ambient occlusion. With --matrix the visibility is kept in a file as it is computed;
+after an interruption, or to refine it, --resume goes on from there. Seen from inside, the middle of an environment looks
+along -z, with +x to its right and +y up, where y is up.
 
 Each level has about four times as many directions as the one before: 6, 18, 66, 258, 1026, 4098, 16,386.";
 
@@ -36,7 +36,8 @@ pub(crate) struct AmbientArgs {
     /// Pictures by the raster, one for each camera; with an orbit numbered before the extension.
     #[arg(long, value_name = "FILE.png")]
     pub(crate) picture: Option<PathBuf>,
-    /// Where pictures are taken from: EYE/TARGET or EYE/TARGET/DEGREES, points as x,y,z [default: from above, in front].
+    /// Where pictures are taken from: EYE/TARGET or EYE/TARGET/DEGREES, points as x,y,z [default: from above, in
+    /// front].
     #[arg(long, value_name = "WORDS", requires = "picture", allow_hyphen_values = true)]
     pub(crate) camera: Option<String>,
     /// So many pictures on a circle around the scene.
@@ -55,7 +56,8 @@ pub(crate) struct AmbientArgs {
     #[arg(long, value_name = "N", requires = "picture", conflicts_with_all = ["output", "matrix", "lazy"],
         value_parser = clap::value_parser!(u32).range(1..=10_000))]
     pub(crate) frames: Option<u32>,
-    /// Cost that a frame may have, in millions of a direction times a position or a triangle; the level follows from it.
+    /// Cost that a frame may have, in millions of a direction times a position or a triangle; the level follows from
+    /// it.
     #[arg(long, value_name = "N", requires = "frames")]
     pub(crate) budget: Option<u64>,
     /// Go on with the matrix in the file, if there is one.
