@@ -33,17 +33,20 @@ pub struct Counts {
     pub atomics: u64,
     /// Barriers, one for each workgroup that passes one.
     pub barriers: u64,
+    /// Turns of loops of the invocation that has most of them in one dispatch, the turn that ends a loop included.
+    pub turns: u64,
 }
 
 impl AddAssign for Counts {
     fn add_assign(&mut self, more: Counts) {
-        let Counts { invocations, loads, stores, bytes, atomics, barriers } = self;
+        let Counts { invocations, loads, stores, bytes, atomics, barriers, turns } = self;
         *invocations += more.invocations;
         *loads += more.loads;
         *stores += more.stores;
         *bytes += more.bytes;
         *atomics += more.atomics;
         *barriers += more.barriers;
+        *turns = (*turns).max(more.turns);
     }
 }
 

@@ -64,12 +64,14 @@ pub struct Costs {
     pub atomics: u64,
     /// Barriers passed, one for each workgroup.
     pub barriers: u64,
+    /// Turns of loops of the invocation that has most of them.
+    pub turns: u64,
 }
 
 impl From<Counts> for Costs {
     fn from(counts: Counts) -> Self {
-        let Counts { invocations, loads, stores, bytes, atomics, barriers } = counts;
-        Costs { invocations, loads, stores, bytes, atomics, barriers }
+        let Counts { invocations, loads, stores, bytes, atomics, barriers, turns } = counts;
+        Costs { invocations, loads, stores, bytes, atomics, barriers, turns }
     }
 }
 

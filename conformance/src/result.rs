@@ -83,6 +83,8 @@ pub enum Check {
     Oracle,
     /// One thread and all threads agree, in outputs and in costs.
     Threads,
+    /// No invocation's loops turn more often than all devices let them.
+    Turns,
     /// All machines agree bit for bit.
     Agreement,
     /// The stored snapshot agrees.
@@ -99,6 +101,7 @@ impl Check {
             Check::Identity => "identity",
             Check::Oracle => "oracle",
             Check::Threads => "threads",
+            Check::Turns => "turns",
             Check::Agreement => "agreement",
             Check::Snapshot => "snapshot",
             Check::Expectation => "expectation",

@@ -161,6 +161,7 @@ impl<'a> Judge<'a> {
         for pass in &passes[1..] {
             self.threads(first, pass)?;
         }
+        turns(first)?;
         self.agreement(first)?;
         self.snapshot(first)
     }
@@ -278,6 +279,24 @@ impl<'a> Judge<'a> {
             }
             Err(e) => result.message.push_str(&format!("; and the job could not be dumped: {e}")),
         }
+    }
+}
+
+/// Turns of loops at which Mesa's lavapipe ends all loops of an invocation, without a word.
+const TURNS: u64 = 65_535;
+
+/// Whether every invocation may take its turns on all devices; known of machines that count.
+fn turns(pass: &Pass) -> Result<(), Verdict> {
+    match pass.costs {
+        Some(Costs { turns, .. }) if turns >= TURNS => {
+            let message = format!(
+                "an invocation takes {turns} turns of loops in one dispatch, and lavapipe ends all its loops at {TURNS} \
+                 without an error; remedy: split the work over several dispatches, or over more invocations"
+            );
+            let row = Row::text("(turns)", "-", format!("fewer than {TURNS}"), turns.to_string());
+            Err(Verdict::fail(Check::Turns, message, Some(Table::one(row))))
+        }
+        _ => Ok(()),
     }
 }
 

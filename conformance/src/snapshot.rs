@@ -46,7 +46,7 @@ pub fn render<O: AsRef<[u8]>>(
         render_output(&mut text, &read.name, output.as_ref(), probes);
     }
     if let Some(costs) = costs {
-        let Costs { invocations, loads, stores, bytes, atomics, barriers } = costs;
+        let Costs { invocations, loads, stores, bytes, atomics, barriers, .. } = costs;
         let _ = write!(
             text,
             "{COSTS}  invocations {invocations}\n  loads {loads}\n  stores {stores}\n  bytes {bytes}\n  atomics {atomics}\n  barriers {barriers}\n"
