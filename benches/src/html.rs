@@ -65,7 +65,8 @@ fn cards(report: &Report, page: &mut String) {
 }
 
 fn card(group: &Group, page: &mut String) {
-    let what = if group.subjects == MICRO { "micro-kernels" } else { "kernels" };
+    let what = if group.subjects == MICRO { "micro-kernel" } else { "kernel" };
+    let plural = if group.kernels == 1 { "" } else { "s" };
     let figure = match group.mean_ratio {
         Some(ratio) => format!("{ratio:.2}<small>&times; lavapipe&rsquo;s time</small>"),
         None => format!("{}<small>ns a lane-operation</small>", cell(group.mean_ns_per_lane_op, 3)),
@@ -73,7 +74,7 @@ fn card(group: &Group, page: &mut String) {
     let tone = group.mean_ratio.map_or("", |ratio| if ratio < 1.0 { " better" } else { " worse" });
     let _ = writeln!(
         page,
-        "<section class=\"card{tone}\"><h2>{} {what}</h2><p class=\"tags\">{} &middot; {}</p><p class=\"figure\">{figure}</p>",
+        "<section class=\"card{tone}\"><h2>{} {what}{plural}</h2><p class=\"tags\">{} &middot; {}</p><p class=\"figure\">{figure}</p>",
         group.kernels,
         threads_name(group.threads),
         escape(&group.simd)
