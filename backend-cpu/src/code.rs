@@ -8,7 +8,7 @@ mod ops;
 
 use std::fmt;
 
-pub use ops::{AtomicOp, BinOp, Compare, Pair, TernOp, Test, UnOp};
+pub use ops::{AtomicOp, BinOp, Compare, Pair, QuadOp, TernOp, Test, UnOp};
 pub(crate) use ops::{Parts, pairs};
 
 /// Where a load, store or atomic goes.
@@ -93,6 +93,22 @@ pub enum Inst<R = Reg> {
         a: R,
         b: R,
         c: R,
+    },
+    /// Several binary operations on four words in one pass.
+    Quad {
+        op: QuadOp,
+        dst: R,
+        a: R,
+        b: R,
+        c: R,
+        d: R,
+    },
+    /// The end of many hashes: `x ^= x >> by[0]; x *= by[1]; x ^= x >> by[2]; x *= by[3]; dst = x ^ (x >> by[4])`,
+    /// beginning with `a`.
+    Mix {
+        dst: R,
+        a: R,
+        by: [R; 5],
     },
     /// `dst = test ? accept : reject`.
     Choose {
@@ -267,6 +283,14 @@ impl<R: Copy> Inst<R> {
             Inst::Fused { op, dst, a, b, c } => {
                 let (a, b, c) = (f(a, false), f(b, false), f(c, false));
                 Inst::Fused { op, dst: f(dst, true), a, b, c }
+            }
+            Inst::Quad { op, dst, a, b, c, d } => {
+                let (a, b, c, d) = (f(a, false), f(b, false), f(c, false), f(d, false));
+                Inst::Quad { op, dst: f(dst, true), a, b, c, d }
+            }
+            Inst::Mix { dst, a, by } => {
+                let (a, by) = (f(a, false), by.map(|r| f(r, false)));
+                Inst::Mix { dst: f(dst, true), a, by }
             }
             Inst::Choose { test, dst, accept, reject } => {
                 let (test, accept, reject) = (test.map(f), f(accept, false), f(reject, false));

@@ -6,7 +6,7 @@
 //!    put only where an effect needs them, registers allocated.
 //! 2. **Code** ([`code`]): instructions on rows of lanes and on scalars that a whole gang shares; its `Display` is the
 //!    disassembly.
-//! 3. **Execution** (`exec`): one instruction at a time works on all lanes of a gang of up to 256 invocations, in SIMD
+//! 3. **Execution** (`exec`): one instruction at a time works on all lanes of a gang of up to 512 invocations, in SIMD
 //!    chosen at run time; a barrier costs a check; gangs spread over threads.
 //! 4. **Semantics** (`semantics`, [`math`]): what each operation means on one word, for every engine and test.
 //!
@@ -149,7 +149,7 @@ pub struct Config {
     pub fuel: u64,
     /// Lanes of a gang of merged workgroups; `None` lets the register count decide. Workgroups are never split.
     pub lanes: Option<u32>,
-    /// Count semantic costs ([`Session::counts`]).
+    /// Count semantic costs ([`Session::counts`]), and turns of loops.
     pub count: bool,
     /// Bytes that a session may allocate: its buffers, and the registers and memories of the gangs that run at once.
     pub memory: u64,

@@ -6,9 +6,9 @@
 
 use std::cmp::Ordering;
 
-#[cfg(test)]
-use crate::code::Pair;
 use crate::code::{AtomicOp, BinOp, Compare, TernOp, UnOp};
+#[cfg(test)]
+use crate::code::{Pair, QuadOp};
 use crate::math;
 
 fn truth(condition: bool) -> u32 {
@@ -160,6 +160,30 @@ pub(crate) fn pair(op: Pair, a: u32, b: u32, c: u32) -> u32 {
     let t = binary(parts.first, a, b);
     let (left, right) = if parts.left { (t, c) } else { (c, t) };
     binary(parts.second, left, right)
+}
+
+/// The value of an operation on four words: what its vector form is held to.
+#[cfg(test)]
+pub(crate) fn quad(op: QuadOp, [a, b, c, d]: [u32; 4]) -> u32 {
+    let wide = |high: u32, low: u32| u64::from(high) << 32 | u64::from(low);
+    match op {
+        QuadOp::MulMulAdd => a.wrapping_mul(b).wrapping_add(c.wrapping_mul(d)),
+        QuadOp::MulMulSub => a.wrapping_mul(b).wrapping_sub(c.wrapping_mul(d)),
+        QuadOp::ShlShrOr => a.wrapping_shl(b) | c.wrapping_shr(d),
+        QuadOp::AddCarry => a.wrapping_add(b).wrapping_add(u32::from(c < d)),
+        QuadOp::SubBorrow => a.wrapping_sub(b).wrapping_sub(u32::from(c < d)),
+        QuadOp::EqLtU => truth(a == b && c < d),
+        QuadOp::LtWide => truth(wide(a, c) < wide(b, d)),
+        QuadOp::GeWide => truth(wide(a, c) >= wide(b, d)),
+    }
+}
+
+/// The value of [`crate::code::Inst::Mix`].
+#[cfg(test)]
+pub(crate) fn mix(x: u32, by: [u32; 5]) -> u32 {
+    let x = (x ^ x.wrapping_shr(by[0])).wrapping_mul(by[1]);
+    let x = (x ^ x.wrapping_shr(by[2])).wrapping_mul(by[3]);
+    x ^ x.wrapping_shr(by[4])
 }
 
 /// The value of a ternary operation.

@@ -143,3 +143,64 @@ fn long_texts_lower_in_time() {
     let loops = "for (var k = 0u; k < 1u; k++) { ".repeat(100) + "o[0] += i;" + &"}".repeat(100);
     assert!(run(&main_of(&loops), Config::default()).is_ok());
 }
+
+/// The most turns of loops of an invocation of `main`, on one thread or two.
+fn turns(body: &str, threads: usize, count: bool) -> Option<u64> {
+    let text = format!("{HEAD}{}", main_of(body));
+    let program = Program::unlinted("turns", Linked::single("turns.wgsl", &text).unwrap()).unwrap();
+    let mut job = Job::new();
+    let id = job.program(&program);
+    let buffer = job.upload("o", &[0; 64]);
+    job.dispatch(id, "main", &[(0, buffer)], [40, 3, 1]);
+    let backend = CpuBackend::new(Config { threads, count, ..Config::default() });
+    let mut session = backend.open(&job.programs, &job.buffers).unwrap();
+    job.recordings.iter().for_each(|recording| session.submit(recording).unwrap());
+    session.counts().map(|counts| counts.turns)
+}
+
+#[test]
+fn turns_of_loops_are_those_of_the_longest_invocation() {
+    let halvings = |i: u64| {
+        let mut n = i * 100;
+        let rounds = std::iter::from_fn(|| {
+            n /= 2;
+            (n >= 10).then_some(())
+        });
+        rounds.count() as u64 + 1
+    };
+    // A loop of n rounds turns n + 1 times: the last turn finds its end.
+    let cases: [(&str, &dyn Fn(u64) -> u64); 6] = [
+        ("o[i] = i;", &|_| 0),
+        ("for (var k = 0u; k < 5u; k++) { o[i] += k; }", &|_| 6),
+        ("for (var k = 0u; k < i; k++) { o[i] += k; }", &|i| i + 1),
+        ("for (var k = 0u; k < i; k++) { for (var m = i; m < 15u; m++) { o[i] += m; } }", &|i| {
+            i + 1 + i * (15 - i + 1)
+        }),
+        ("var n = i * 100u; loop { n /= 2u; if n < 10u { break; } if n > 90u { continue; } o[i] += n; }", &halvings),
+        ("for (var k = 0u; k < 300u; k++) { if k == i + 200u { return; } o[i] += k; }", &|i| i + 201),
+    ];
+    for (body, of) in cases {
+        for threads in [1, 2] {
+            assert_eq!(turns(body, threads, true), (0..16).map(of).max(), "{body}");
+        }
+    }
+    assert_eq!(turns("o[i] = i;", 1, false), None);
+}
+
+#[test]
+fn deep_nests_of_short_loops_stay_within_the_limit_of_operations() {
+    let nest = |depth: usize, rounds: u32| {
+        let open: String = (0..depth).map(|n| format!("for (var k{n} = 0u; k{n} < {rounds}u; k{n}++) {{ ")).collect();
+        main_of(&format!("{open} o[i & 3u] += k0; {}", "}".repeat(depth)))
+    };
+    // Written out these would be 60^8 and 4^20 statements.
+    for (depth, rounds) in [(8, 60), (20, 4)] {
+        let program =
+            Program::unlinted("nest", Linked::single("nest.wgsl", &format!("{HEAD}{}", nest(depth, rounds))).unwrap());
+        let code = CpuBackend::lowered(&program.unwrap(), "main", &[]).unwrap();
+        assert!(code.instructions() < 10_000, "{} instructions of {depth} loops", code.instructions());
+    }
+    let few = limits(CodeLimits { operations: 100, ..CodeLimits::default() });
+    assert!(run(&nest(2, 2), Config::default()).is_ok());
+    refused(run(&nest(3, 60), few), "operations", 100);
+}

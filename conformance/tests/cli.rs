@@ -208,6 +208,18 @@ fn your_own_kernel_runs_and_is_judged_by_the_expected_words() {
 }
 
 #[test]
+fn an_invocation_that_turns_too_often_fails_before_a_device_is_silent_about_it() {
+    let rounds = "output[id.x] = input[id.x] + 1u;\n    }\n    for (var k = 0u; k < ROUNDS; k++) {\n        output[0] |= k & 0u;";
+    let kernel = |count: &str| ADD_ONE.replace("output[id.x] = input[id.x] + 1u;", &rounds.replace("ROUNDS", count));
+    for (count, code) in [("65533u", 0), ("65534u", 1)] {
+        let folder = Folder::new(&format!("turns-{count}")).with("k.wgsl", &kernel(count)).with("c.toml", ADD_ONE_CASE);
+        let (got, out, err) = folder.own();
+        assert_eq!(got, code, "{out}{err}");
+        assert_eq!(out.contains("takes 65535 turns of loops") && out.contains("lavapipe"), code == 1, "{out}");
+    }
+}
+
+#[test]
 fn random_buffers_depend_on_the_seed_alone() {
     let case = "entry = \"main\"\n[[buffer]]\nname = \"input\"\nrandom = 64\n\
                 [[buffer]]\nname = \"output\"\nzeros = 64\nread = true\nexpected = [0]\n";

@@ -134,6 +134,28 @@ pub enum TernOp {
 }
 
 operations! {
+    /// Operations on four words: what 64-bit arithmetic in two words and determinants are made of.
+    QuadOp {
+        /// `a * b + c * d`.
+        MulMulAdd,
+        /// `a * b - c * d`.
+        MulMulSub,
+        /// `(a << b) | (c >> d)`.
+        ShlShrOr,
+        /// `a + b`, and 1 more where `c < d`: the upper word of a sum.
+        AddCarry,
+        /// `a - b`, and 1 less where `c < d`: the upper word of a difference.
+        SubBorrow,
+        /// `(a == b) & (c < d)`.
+        EqLtU,
+        /// Whether 2^32 a + c is less than 2^32 b + d.
+        LtWide,
+        /// Whether it is not.
+        GeWide,
+    }
+}
+
+operations! {
     /// Comparisons that control flow makes itself. Integers need no negated forms: `!(a < b)` is `b <= a`.
     Compare {
         Eq,
@@ -229,6 +251,13 @@ pub enum AtomicOp {
     CompareExchange,
 }
 
+impl QuadOp {
+    /// Whether it is made of two products.
+    pub(crate) const fn is_product(self) -> bool {
+        matches!(self, QuadOp::MulMulAdd | QuadOp::MulMulSub)
+    }
+}
+
 impl BinOp {
     /// Whether operands may change places.
     pub(crate) const fn is_commutative(self) -> bool {
@@ -309,6 +338,7 @@ macro_rules! pairs {
             LtUAnd = LtU row And row left,
             LtUOr = LtU row Or row left,
             LtUWordAnd = LtU word And row left,
+            LtUWordOr = LtU word Or row left,
             LtIAnd = LtI word And row left,
             LtIOr = LtI word Or row left,
             LtIRowAnd = LtI row And row left,
@@ -318,6 +348,7 @@ macro_rules! pairs {
             LtUMore = LtU row Sub row right,
             LtULess = LtU row Add row left,
             NeMore = Ne word Sub row right,
+            NeFrom = Ne word Sub row left,
             NeLess = Ne word Add row left,
             EqMore = Eq word Sub row right,
             EqLess = Eq word Add row left,
@@ -331,6 +362,7 @@ macro_rules! pairs {
             MulFWordAddFWord = MulF word AddF word left,
             AddFAddF = AddF row AddF row left,
             AddFMulF = AddF row MulF word left,
+            SubFAddF = SubF row AddF row left,
         }
     };
 }

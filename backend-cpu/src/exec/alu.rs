@@ -10,7 +10,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, mask32x16, u32x16};
 
 use super::fused;
-use super::lanes::{Lanes, each, each2, float, for_operation, signed};
+use super::lanes::{Lanes, each, each2, float, for_operation, inverse_sqrt, leading_bit, lowest, place, signed};
 use super::mask::{CHUNK, Exec};
 use crate::code::{BinOp, Reg, TernOp, UnOp};
 use crate::semantics;
@@ -117,11 +117,21 @@ fn at_most<S: Simd>(s: S, a: f32x16<S>, limit: f32) -> f32x16<S> {
 }
 
 /// `dst = op a`, on a vector register.
-#[inline(always)]
 pub(super) fn unary<S: Simd>(s: S, r: Rows<'_>, op: UnOp, dst: Reg, a: Reg) {
-    if a.is_scalar() {
-        return fill(s, r, dst, semantics::unary(op, r.scalar(a)));
-    }
+    s.vectorize(
+        #[inline(always)]
+        || {
+            if a.is_scalar() {
+                fill(s, r, dst, semantics::unary(op, r.scalar(a)));
+            } else {
+                unary_row(s, r, op, dst, a);
+            }
+        },
+    );
+}
+
+#[inline(always)]
+fn unary_row<S: Simd>(s: S, r: Rows<'_>, op: UnOp, dst: Reg, a: Reg) {
     match op {
         UnOp::Move => map(s, r, dst, a, |a| a),
         UnOp::Not => map(s, r, dst, a, |a| s.not_u32x16(a)),
@@ -142,8 +152,15 @@ pub(super) fn unary<S: Simd>(s: S, r: Rows<'_>, op: UnOp, dst: Reg, a: Reg) {
         }),
         UnOp::FloatToUint => map(s, r, dst, a, |a| s.cvt_u32_precise_f32x16(at_most(s, float(a), 4_294_967_040.0))),
         UnOp::CountOneBits => map(s, r, dst, a, |a| s.count_ones_u32x16(a)),
-        UnOp::CountLeadingZeros => map(s, r, dst, a, |a| each(a, u32::leading_zeros)),
-        UnOp::CountTrailingZeros => map(s, r, dst, a, |a| each(a, u32::trailing_zeros)),
+        UnOp::InverseSqrt => map(s, r, dst, a, |a| inverse_sqrt(s, a)),
+        UnOp::CountLeadingZeros => {
+            map(s, r, dst, a, |a| s.min_u32x16(s.sub_u32x16(s.splat_u32x16(31), leading_bit(s, a)), s.splat_u32x16(32)))
+        }
+        UnOp::CountTrailingZeros => {
+            map(s, r, dst, a, |a| s.min_u32x16(leading_bit(s, lowest(s, a)), s.splat_u32x16(32)))
+        }
+        UnOp::FirstLeadingBitU => map(s, r, dst, a, |a| place(s, leading_bit(s, a))),
+        UnOp::FirstTrailingBit => map(s, r, dst, a, |a| place(s, leading_bit(s, lowest(s, a)))),
         UnOp::ReverseBits => map(s, r, dst, a, |a| each(a, u32::reverse_bits)),
         other => map(s, r, dst, a, |a| each(a, |word| semantics::unary(other, word))),
     }
@@ -174,7 +191,6 @@ fn fetch<S: Simd>(s: S, r: &Rows<'_>, register: Reg, i: usize) -> u32x16<S> {
 }
 
 /// `dst = op(a, b, c)`, on a vector register.
-#[inline(always)]
 pub(super) fn ternary<S: Simd>(s: S, r: Rows<'_>, op: TernOp, dst: Reg, [a, b, c]: [Reg; 3]) {
     match op {
         TernOp::Select if a.is_scalar() => {
@@ -182,25 +198,32 @@ pub(super) fn ternary<S: Simd>(s: S, r: Rows<'_>, op: TernOp, dst: Reg, [a, b, c
             unary(s, r, UnOp::Move, dst, from);
         }
         TernOp::Select => fused::select(s, r, dst, a, [b, c]),
-        TernOp::Fma => {
-            for (i, d) in r.row(dst).iter().enumerate() {
-                let [a, b, c] = [a, b, c].map(|register| fetch(s, &r, register, i));
-                store(d, s.mul_add_precise_f32x16(float(a), float(b), float(c)).bitcast());
-            }
-        }
+        TernOp::Fma => s.vectorize(
+            #[inline(always)]
+            || {
+                for (i, d) in r.row(dst).iter().enumerate() {
+                    let (a, b, c) = (fetch(s, &r, a, i), fetch(s, &r, b, i), fetch(s, &r, c, i));
+                    store(d, s.mul_add_precise_f32x16(float(a), float(b), float(c)).bitcast());
+                }
+            },
+        ),
     }
 }
 
 /// Copies active lanes of `a` to `dst`.
-#[inline(always)]
 pub(super) fn blend<S: Simd>(s: S, r: Rows<'_>, exec: &Exec, dst: Reg, a: Reg) {
     if exec.full {
         return unary(s, r, UnOp::Move, dst, a);
     }
-    for (i, d) in r.row(dst).iter().enumerate() {
-        let mask = mask32x16::from_bitmask(s, u64::from(exec.mask.chunk(exec.low + i)));
-        store(d, s.select_u32x16(mask, fetch(s, &r, a, i), load(s, d)));
-    }
+    s.vectorize(
+        #[inline(always)]
+        || {
+            for (i, d) in r.row(dst).iter().enumerate() {
+                let mask = mask32x16::from_bitmask(s, u64::from(exec.mask.chunk(r.low + i)));
+                store(d, s.select_u32x16(mask, fetch(s, &r, a, i), load(s, d)));
+            }
+        },
+    );
 }
 
 /// `dst = min(index, length - 1)`; the first active lane whose index is out of range.
@@ -236,23 +259,29 @@ pub(super) fn check<S: Simd>(
     wrong
 }
 
-/// First word of a row whose active chunks count up by one from lane to lane.
-pub(super) fn contiguous<S: Simd>(s: S, r: Rows<'_>, addr: Reg) -> Option<u32> {
+/// What a row of addresses looks like: its first one where they count up by one from lane to lane, and whether all of them
+/// are below a limit once an offset is added.
+pub(super) fn survey<S: Simd>(s: S, r: Rows<'_>, addr: Reg, offset: u32, limit: usize) -> (Option<u32>, bool) {
     let row = r.row(addr);
-    let base = row.first()?.get().0[0];
-    let mut same = true;
+    let base = row.first().map_or(0, |chunk| chunk.get().0[0]);
+    let Some(last) = u32::try_from(limit).unwrap_or(u32::MAX).checked_sub(1) else { return (None, false) };
+    let (mut same, mut inside) = (true, true);
     s.vectorize(
         #[inline(always)]
         || {
             let steps = u32x16::simd_from(s, std::array::from_fn(|i| i as u32));
-            let mut difference = s.splat_u32x16(0);
+            let offset = s.splat_u32x16(offset);
+            let (mut difference, mut greatest) = (s.splat_u32x16(0), s.splat_u32x16(0));
             let mut expected = s.add_u32x16(s.splat_u32x16(base), steps);
             for cell in row {
-                difference = s.or_u32x16(difference, s.xor_u32x16(load(s, cell), expected));
+                let addr = load(s, cell);
+                difference = s.or_u32x16(difference, s.xor_u32x16(addr, expected));
                 expected = s.add_u32x16(expected, s.splat_u32x16(CHUNK as u32));
+                greatest = s.max_u32x16(greatest, s.add_u32x16(addr, offset));
             }
             same = !s.any_true_mask32x16(s.simd_ne_u32x16(difference, s.splat_u32x16(0)));
+            inside = !s.any_true_mask32x16(s.simd_gt_u32x16(greatest, s.splat_u32x16(last)));
         },
     );
-    same.then_some(base)
+    (same.then_some(base), inside)
 }

@@ -9,7 +9,7 @@ use fearless_simd::{Simd, u32x16};
 
 use super::alu::{Chunk, Rows, load, store};
 use super::lanes::{Lanes, for_comparison, op};
-use crate::code::{Compare, Pair, Reg, Test, pairs};
+use crate::code::{Compare, Pair, QuadOp, Reg, Test, pairs};
 
 /// An operand whose kind is known when the loop is compiled.
 trait Operand<S: Simd>: Copy {
@@ -104,6 +104,94 @@ pub(super) fn pair<S: Simd>(s: S, r: Rows<'_>, pair: Pair, dst: Reg, [a, b, c]: 
     );
 }
 
+/// `dst = op(a, b, c, d)`, on a vector register; `a` and `c` are rows.
+pub(super) fn quad<S: Simd>(s: S, r: Rows<'_>, op: QuadOp, dst: Reg, [a, b, c, d]: [Reg; 4]) {
+    macro_rules! loops {
+        ($b:ident, $d:ident) => {{
+            let (a, b, c, d) = (row(&r, a), $b(&r, b), row(&r, c), $d(&r, d));
+            macro_rules! each {
+                (|$i:ident| $form:expr) => {
+                    pass(
+                        &r,
+                        dst,
+                        #[inline(always)]
+                        |$i| $form,
+                    )
+                };
+            }
+            // A truth value is −1.
+            match op {
+                QuadOp::MulMulAdd => each!(|i| s.add_u32x16(product(s, a, b, i), product(s, c, d, i))),
+                QuadOp::MulMulSub => each!(|i| s.sub_u32x16(product(s, a, b, i), product(s, c, d, i))),
+                QuadOp::ShlShrOr => {
+                    each!(|i| s.or_u32x16(b.after::<op::Shl>(s, a.at(s, i), i), d.after::<op::ShrU>(s, c.at(s, i), i)))
+                }
+                QuadOp::AddCarry => each!(|i| s.sub_u32x16(s.add_u32x16(a.at(s, i), b.at(s, i)), less(s, c, d, i))),
+                QuadOp::SubBorrow => each!(|i| s.add_u32x16(s.sub_u32x16(a.at(s, i), b.at(s, i)), less(s, c, d, i))),
+                QuadOp::EqLtU => each!(|i| s.and_u32x16(equal(s, a, b, i), less(s, c, d, i))),
+                QuadOp::LtWide => {
+                    each!(|i| { s.or_u32x16(less(s, a, b, i), s.and_u32x16(equal(s, a, b, i), less(s, c, d, i))) })
+                }
+                QuadOp::GeWide => each!(|i| {
+                    s.not_u32x16(s.or_u32x16(less(s, a, b, i), s.and_u32x16(equal(s, a, b, i), less(s, c, d, i))))
+                }),
+            }
+        }};
+    }
+    s.vectorize(
+        #[inline(always)]
+        || match (b.is_scalar(), d.is_scalar()) {
+            (false, false) => loops!(row, row),
+            (false, true) => loops!(row, word),
+            (true, false) => loops!(word, row),
+            (true, true) => loops!(word, word),
+        },
+    );
+}
+
+#[inline(always)]
+fn product<S: Simd>(s: S, a: Row<'_>, b: impl Operand<S>, i: usize) -> u32x16<S> {
+    s.mul_u32x16(a.at(s, i), b.at(s, i))
+}
+
+#[inline(always)]
+fn less<S: Simd>(s: S, a: Row<'_>, b: impl Operand<S>, i: usize) -> u32x16<S> {
+    op::LtU::apply(s, a.at(s, i), b.at(s, i))
+}
+
+#[inline(always)]
+fn equal<S: Simd>(s: S, a: Row<'_>, b: impl Operand<S>, i: usize) -> u32x16<S> {
+    op::Eq::apply(s, a.at(s, i), b.at(s, i))
+}
+
+/// [`crate::code::Inst::Mix`], on a vector register.
+pub(super) fn mix<S: Simd>(s: S, r: Rows<'_>, dst: Reg, a: Reg, by: [Reg; 5]) {
+    let [first, factor, second, other, last] = by;
+    let (first, second, last) = (r.scalar(first), r.scalar(second), r.scalar(last));
+    let (factor, other) = (r.scalar(factor), r.scalar(other));
+    s.vectorize(
+        #[inline(always)]
+        || {
+            let a = row(&r, a);
+            pass(
+                &r,
+                dst,
+                #[inline(always)]
+                |i| {
+                    let x = op::Mul::by(s, folded(s, a.at(s, i), first), factor);
+                    folded(s, op::Mul::by(s, folded(s, x, second), other), last)
+                },
+            );
+        },
+    );
+}
+
+/// `x ^ (x >> by)`.
+#[inline(always)]
+fn folded<S: Simd>(s: S, x: u32x16<S>, by: u32) -> u32x16<S> {
+    s.xor_u32x16(x, op::ShrU::by(s, x, by))
+}
+
 /// Calls a macro with the kinds of two operands that are chosen from.
 macro_rules! arms {
     ($accept:ident, $reject:ident, $choices:ident, $($test:tt)*) => {
@@ -148,7 +236,6 @@ pub(super) fn choose<S: Simd>(s: S, r: Rows<'_>, test: Test, dst: Reg, arms: [Re
 }
 
 /// `dst = cond ? accept : reject`, on a vector register; `cond` is a row.
-#[inline(always)]
 pub(super) fn select<S: Simd>(s: S, r: Rows<'_>, dst: Reg, cond: Reg, [accept, reject]: [Reg; 2]) {
     macro_rules! choices {
         ($cond:ident, $accept:ident, $reject:ident) => {{
@@ -161,7 +248,10 @@ pub(super) fn select<S: Simd>(s: S, r: Rows<'_>, dst: Reg, cond: Reg, [accept, r
             );
         }};
     }
-    arms!(accept, reject, choices, row);
+    s.vectorize(
+        #[inline(always)]
+        || arms!(accept, reject, choices, row),
+    );
 }
 
 #[inline(always)]

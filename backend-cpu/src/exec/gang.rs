@@ -74,6 +74,10 @@ pub(super) struct Worker {
     workgroup: Vec<u32>,
     private: Vec<u32>,
     pub(super) tallies: Vec<Tally>,
+    /// Turns of loops of each lane of the gang, where they are counted.
+    turns: Vec<u32>,
+    /// Most turns of one invocation so far.
+    pub(super) longest: u32,
     /// Chunks worked on, one for each vector instruction and chunk.
     pub(super) chunk_ops: u64,
 }
@@ -89,6 +93,8 @@ impl Worker {
             workgroup: vec![0; code.workgroup_words as usize],
             private: vec![0; code.private_words as usize * lanes],
             tallies: vec![Tally::default(); code.costs.len()],
+            turns: vec![0; if code.costs.iter().any(|cost| cost.turns > 0) { lanes } else { 0 }],
+            longest: 0,
             chunk_ops: 0,
         }
     }
@@ -109,6 +115,7 @@ impl Worker {
         let count = launch.merged.min(launch.groups[0] - first[0]);
         let size: u32 = launch.code.workgroup_size.iter().product();
         self.workgroup.fill(0);
+        self.turns.fill(0);
         let mut gang = Gang {
             s,
             launch,
@@ -118,16 +125,19 @@ impl Worker {
             workgroup: Cell::from_mut(&mut self.workgroup[..]).as_slice_of_cells(),
             private: Private { words: Cell::from_mut(&mut self.private[..]).as_slice_of_cells(), lanes: launch.lanes },
             tallies: &mut self.tallies,
+            turns: &mut self.turns,
             exec: Exec::new((count * size) as usize),
             fuel: launch.fuel,
             count,
             chunk_ops: Cell::from_mut(&mut self.chunk_ops),
         };
         gang.inputs(first);
-        s.vectorize(
+        let result = s.vectorize(
             #[inline(always)]
             || gang.run(),
-        )
+        );
+        self.longest = self.turns.iter().fold(self.longest, |most, turns| most.max(*turns));
+        result
     }
 }
 
@@ -140,6 +150,7 @@ pub(super) struct Gang<'a, S, W> {
     workgroup: &'a [Cell<u32>],
     private: Private<'a>,
     tallies: &'a mut [Tally],
+    turns: &'a mut [u32],
     pub(super) exec: Exec,
     pub(super) fuel: u64,
     /// Workgroups in this gang.
@@ -165,6 +176,15 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
         let chunks = (self.exec.high - self.exec.low) as u64;
         self.chunk_ops.set(self.chunk_ops.get() + chunks);
         self.rows()
+    }
+
+    /// An instruction that computes, on each run of chunks that hold active lanes.
+    #[inline(always)]
+    fn each(&self, pass: impl Fn(Rows<'_>)) {
+        for (low, high) in self.exec.runs() {
+            self.chunk_ops.set(self.chunk_ops.get() + (high - low) as u64);
+            pass(Rows { low, high, ..self.rows() });
+        }
     }
 
     #[inline(always)]
@@ -207,20 +227,44 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
                 Inst::Un { op, dst, a } if dst.is_scalar() => {
                     self.set_scalar(dst, semantics::unary(op, self.scalar(a)));
                 }
-                Inst::Un { op, dst, a } => alu::unary(self.s, self.work(), op, dst, a),
+                Inst::Un { op, dst, a } => self.each(
+                    #[inline(always)]
+                    |rows| alu::unary(self.s, rows, op, dst, a),
+                ),
                 Inst::Bin { op, dst, a, b } if dst.is_scalar() => {
                     self.set_scalar(dst, semantics::binary(op, self.scalar(a), self.scalar(b)));
                 }
-                Inst::Bin { op, dst, a, b } => alu::binary(self.s, self.work(), op, dst, a, b),
+                Inst::Bin { op, dst, a, b } => self.each(
+                    #[inline(always)]
+                    |rows| alu::binary(self.s, rows, op, dst, a, b),
+                ),
                 Inst::Tern { op, dst, a, b, c } if dst.is_scalar() => {
                     self.set_scalar(dst, semantics::ternary(op, self.scalar(a), self.scalar(b), self.scalar(c)));
                 }
-                Inst::Tern { op, dst, a, b, c } => alu::ternary(self.s, self.work(), op, dst, [a, b, c]),
-                Inst::Fused { op, dst, a, b, c } => fused::pair(self.s, self.work(), op, dst, [a, b, c]),
-                Inst::Choose { test, dst, accept, reject } => {
-                    fused::choose(self.s, self.work(), test, dst, [accept, reject]);
-                }
-                Inst::Blend { dst, a } => alu::blend(self.s, self.work(), &self.exec, dst, a),
+                Inst::Tern { op, dst, a, b, c } => self.each(
+                    #[inline(always)]
+                    |rows| alu::ternary(self.s, rows, op, dst, [a, b, c]),
+                ),
+                Inst::Fused { op, dst, a, b, c } => self.each(
+                    #[inline(always)]
+                    |rows| fused::pair(self.s, rows, op, dst, [a, b, c]),
+                ),
+                Inst::Quad { op, dst, a, b, c, d } => self.each(
+                    #[inline(always)]
+                    |rows| fused::quad(self.s, rows, op, dst, [a, b, c, d]),
+                ),
+                Inst::Mix { dst, a, by } => self.each(
+                    #[inline(always)]
+                    |rows| fused::mix(self.s, rows, dst, a, by),
+                ),
+                Inst::Choose { test, dst, accept, reject } => self.each(
+                    #[inline(always)]
+                    |rows| fused::choose(self.s, rows, test, dst, [accept, reject]),
+                ),
+                Inst::Blend { dst, a } => self.each(
+                    #[inline(always)]
+                    |rows| alu::blend(self.s, rows, &self.exec, dst, a),
+                ),
                 Inst::Check { dst, index, length, site } => self.check(dst, index, length, site)?,
                 Inst::ArrayLength { dst, buffer, offset, stride } => {
                     let words = self.launch.views[buffer as usize].len();
@@ -350,5 +394,11 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
     fn tally(&mut self, index: usize) {
         self.tallies[index].invocations += u64::from(self.exec.mask.count());
         self.tallies[index].workgroups += u64::from(self.count);
+        let more = self.launch.code.costs[index].turns;
+        if more > 0 {
+            let mask = self.exec.mask;
+            let active = self.turns.iter_mut().enumerate().filter(|(lane, _)| mask.has(*lane));
+            active.for_each(|(_, turns)| *turns = turns.saturating_add(more));
+        }
     }
 }

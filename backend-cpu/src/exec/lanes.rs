@@ -7,6 +7,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x8, i32x16, mask32x16, u32x16, u64x8};
 
 use super::mask::CHUNK;
+use crate::math;
 use crate::semantics;
 
 /// A binary operation on lanes.
@@ -198,4 +199,51 @@ fn wide<S: Simd>(s: S, a: u32x16<S>) -> (f64x8<S>, f64x8<S>) {
         s.sub_f64x8(shifted, s.splat_f64x8(TWO_52))
     };
     (number(low), number(high))
+}
+
+/// The place of the highest set bit; −127 for 0.
+///
+/// The exponent of the word as f32 tells it: without the bit below the highest, the word cannot round up to the next
+/// power of two.
+#[inline(always)]
+pub(super) fn leading_bit<S: Simd>(s: S, a: u32x16<S>) -> u32x16<S> {
+    let thin = s.and_u32x16(a, s.not_u32x16(s.shr_u32x16(a, 1)));
+    let bits: u32x16<S> = s.cvt_f32_u32x16(thin).bitcast();
+    s.sub_u32x16(s.shr_u32x16(bits, 23), s.splat_u32x16(127))
+}
+
+/// The lowest set bit alone.
+#[inline(always)]
+pub(super) fn lowest<S: Simd>(s: S, a: u32x16<S>) -> u32x16<S> {
+    s.and_u32x16(a, s.sub_u32x16(s.splat_u32x16(0), a))
+}
+
+/// The place of a bit as WGSL tells it: −1 where there is none.
+#[inline(always)]
+pub(super) fn place<S: Simd>(s: S, bit: u32x16<S>) -> u32x16<S> {
+    s.max_i32x16(signed(bit), s.splat_i32x16(-1)).bitcast()
+}
+
+/// 1 / √x, rounded once; NaN as [`math::NAN`].
+///
+/// y = 1 / √x in f32 is off by less than 2^−22 of itself. In binary64 x y is exact, and so is 1 − (x y) y but for the
+/// rounding of the last product; two terms of the series of (1 − r)^(−1/2) then leave an error of some 2^−52, as the
+/// quotient in binary64 has that defines the operation. The tests compare both for every significand.
+#[inline(always)]
+pub(super) fn inverse_sqrt<S: Simd>(s: S, x: u32x16<S>) -> u32x16<S> {
+    let x = float(x);
+    let first = s.div_f32x16(s.splat_f32x16(1.0), s.sqrt_f32x16(x));
+    let ((x_low, x_high), (y_low, y_high)) = (s.widen_f32x16(x), s.widen_f32x16(first));
+    let better = s.narrow_f64x8(refined(s, x_low, y_low), refined(s, x_high, y_high));
+    // 0 and infinity have no residual, and their first quotients are right.
+    let root = s.select_f32x16(s.simd_eq_f32x16(better, better), better, first);
+    s.select_f32x16(s.simd_eq_f32x16(root, root), root, s.splat_f32x16(math::NAN)).bitcast()
+}
+
+/// y (1 − r)^(−1/2) of r = 1 − x y².
+#[inline(always)]
+fn refined<S: Simd>(s: S, x: f64x8<S>, y: f64x8<S>) -> f64x8<S> {
+    let r = s.sub_f64x8(s.splat_f64x8(1.0), s.mul_f64x8(s.mul_f64x8(x, y), y));
+    let series = s.add_f64x8(s.splat_f64x8(0.5), s.mul_f64x8(s.splat_f64x8(0.375), r));
+    s.add_f64x8(y, s.mul_f64x8(y, s.mul_f64x8(r, series)))
 }

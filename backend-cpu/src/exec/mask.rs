@@ -1,10 +1,10 @@
-//! Which lanes are active: one bit a lane, and the range of 16-lane chunks that holds them.
+//! Which lanes are active: one bit a lane, and the 16-lane chunks that hold them.
 
 /// Lanes of one chunk.
 pub(crate) const CHUNK: usize = 16;
 
 /// Most lanes of a gang.
-pub(crate) const MAX_LANES: usize = 256;
+pub(crate) const MAX_LANES: usize = 512;
 
 /// A set of lanes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -53,6 +53,16 @@ impl Mask {
         self.0[lane / 64] >> (lane % 64) & 1 != 0
     }
 
+    /// The chunks that hold a lane of the set.
+    fn chunks(self) -> u64 {
+        let mut chunks = 0;
+        for (index, word) in self.0.into_iter().enumerate() {
+            let some = |chunk: usize| u64::from(word >> (chunk * CHUNK) & 0xffff != 0);
+            chunks |= (some(0) | some(1) << 1 | some(2) << 2 | some(3) << 3) << (index * 4);
+        }
+        chunks
+    }
+
     /// First lane of the set.
     pub(super) fn first_lane(self) -> Option<usize> {
         self.0.iter().position(|word| *word != 0).map(|i| i * 64 + self.0[i].trailing_zeros() as usize)
@@ -75,12 +85,15 @@ pub(super) struct Exec {
     /// Chunks from `low` up to `high` hold all active lanes.
     pub(super) low: usize,
     pub(super) high: usize,
+    /// The chunks of that range worth working on: all but long gaps without an active lane.
+    live: u64,
 }
 
 impl Exec {
     pub(super) fn new(lanes: usize) -> Self {
         let all = Mask::first(lanes);
-        Exec { mask: all, all, full: true, low: 0, high: lanes.div_ceil(CHUNK) }
+        let high = lanes.div_ceil(CHUNK);
+        Exec { mask: all, all, full: true, low: 0, high, live: range(0, high) }
     }
 
     pub(super) fn set(&mut self, mask: Mask) {
@@ -91,7 +104,51 @@ impl Exec {
         self.full = mask == self.all;
         self.low = mask.first_lane().map_or(0, |lane| lane / CHUNK);
         self.high = mask.last_lane().map_or(0, |lane| lane / CHUNK + 1);
+        self.live = range(self.low, self.high);
+        if mask.count() as usize * 2 < (self.high - self.low) * CHUNK {
+            self.live &= closed(mask.chunks());
+        }
     }
+
+    /// Runs of chunks to work on, from the first to the last: each from its first chunk up to its second.
+    #[inline(always)]
+    pub(super) fn runs(&self) -> Runs {
+        Runs(self.live)
+    }
+}
+
+/// Runs of set bits that are still to come.
+pub(super) struct Runs(u64);
+
+impl Iterator for Runs {
+    type Item = (usize, usize);
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<(usize, usize)> {
+        if self.0 == 0 {
+            return None;
+        }
+        let low = self.0.trailing_zeros() as usize;
+        let high = low + (self.0 >> low).trailing_ones() as usize;
+        self.0 &= !range(low, high);
+        Some((low, high))
+    }
+}
+
+/// The bits from `low` up to `high`, which is at most 64.
+#[inline(always)]
+fn range(low: usize, high: usize) -> u64 {
+    let below = |end: usize| if end >= 64 { u64::MAX } else { (1 << end) - 1 };
+    below(high) & !below(low)
+}
+
+/// A set of chunks with its gaps of fewer than four filled: a run costs as much as a few chunks.
+fn closed(chunks: u64) -> u64 {
+    let wide = chunks | chunks << 1;
+    let wide = wide | wide << 2;
+    // What the shift lost at the top must not be eaten from there.
+    let thin = wide & (wide >> 1 | 1 << 63);
+    thin & (thin >> 2 | 3 << 62) | chunks
 }
 
 #[cfg(test)]
@@ -106,8 +163,30 @@ mod tests {
         let mut exec = Exec::new(100);
         exec.set(mask);
         assert_eq!((exec.low, exec.high, exec.full), (2, 7, false));
+        assert_eq!(exec.runs().collect::<Vec<_>>(), [(2, 7)]);
         let mut copy = Mask::default();
         (0..16).for_each(|i| copy.set_chunk(i, mask.chunk(i)));
         assert_eq!(copy, mask);
+    }
+
+    #[test]
+    fn runs_hold_every_active_lane_and_no_long_gap() {
+        let chunks = MAX_LANES / CHUNK;
+        for seed in 0..2000u64 {
+            let noise = |lane: u64| (seed * 977 + lane).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 40;
+            let mut mask = Mask::default();
+            for chunk in (0..chunks).filter(|chunk| noise(*chunk as u64) % (1 + seed % 9) == 0) {
+                mask.set_chunk(chunk, 1 << (noise(chunk as u64 + 99) % 16));
+            }
+            let mut exec = Exec::new(MAX_LANES);
+            exec.set(mask);
+            let runs: Vec<_> = exec.runs().collect();
+            let worked = |chunk: usize| runs.iter().any(|(low, high)| (*low..*high).contains(&chunk));
+            assert!((0..chunks).all(|chunk| mask.chunk(chunk) == 0 || worked(chunk)), "{runs:?}");
+            assert!(runs.windows(2).all(|pair| pair[1].0 - pair[0].1 >= 4), "{runs:?}");
+            let ends = (runs.first().map(|run| run.0), runs.last().map(|run| run.1));
+            let bounds = (!mask.is_empty()).then_some((exec.low, exec.high));
+            assert_eq!(ends, (bounds.map(|b| b.0), bounds.map(|b| b.1)));
+        }
     }
 }

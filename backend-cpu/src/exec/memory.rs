@@ -125,7 +125,8 @@ pub(super) fn load<S: Simd, T: Word>(
     offset: u32,
 ) -> Option<Outside> {
     let row = r.row(dst);
-    if let Some(base) = alu::contiguous(s, r, addr) {
+    let (base, inside) = alu::survey(s, r, addr, offset, words.len());
+    if let Some(base) = base {
         let start = base.wrapping_add(offset) as usize;
         if let Some(run) = words.get(start..).and_then(|w| w.get(..row.len() * CHUNK)) {
             for (cell, run) in row.iter().zip(run.chunks_exact(CHUNK)) {
@@ -134,21 +135,30 @@ pub(super) fn load<S: Simd, T: Word>(
             return None;
         }
     }
+    if !inside {
+        return load_clamped(r, exec, words, dst, addr, offset);
+    }
+    for (cell, addr) in row.iter().zip(r.row(addr)) {
+        let addr = addr.get().0;
+        let word = |lane: usize| words.get(addr[lane].wrapping_add(offset) as usize).map_or(0, Word::load);
+        cell.set(Chunk(std::array::from_fn(word)));
+    }
+    None
+}
+
+/// Loads where some address is past the end; the first one of an active lane.
+#[cold]
+fn load_clamped<T: Word>(r: Rows<'_>, exec: &Exec, words: &[T], dst: Reg, addr: Reg, offset: u32) -> Option<Outside> {
     let mut outside = None;
-    for (i, (cell, addr)) in row.iter().zip(r.row(addr)).enumerate() {
+    for (i, (cell, addr)) in r.row(dst).iter().zip(r.row(addr)).enumerate() {
         let addr = addr.get().0;
         let words = std::array::from_fn(|lane| {
             let index = addr[lane].wrapping_add(offset);
-            match words.get(index as usize) {
-                Some(word) => word.load(),
-                None => {
-                    let lane = (exec.low + i) * CHUNK + lane;
-                    if outside.is_none() && exec.mask.has(lane) {
-                        outside = Some(Outside { lane, index, length: words.len() as u32 });
-                    }
-                    read(words, index)
-                }
+            let lane = (exec.low + i) * CHUNK + lane;
+            if index as usize >= words.len() && outside.is_none() && exec.mask.has(lane) {
+                outside = Some(Outside { lane, index, length: words.len() as u32 });
             }
+            read(words, index)
         });
         cell.set(Chunk(words));
     }
@@ -169,8 +179,9 @@ pub(super) fn store<S: Simd, T: SharedWord>(
         let lane = exec.mask.last_lane()?;
         return store_lane(words, r.scalar(addr).wrapping_add(offset), r.lane(value, lane), lane);
     }
+    let (base, inside) = alu::survey(s, r, addr, offset, words.len());
     if exec.full
-        && let Some(base) = alu::contiguous(s, r, addr)
+        && let Some(base) = base
     {
         let count = exec.mask.count() as usize;
         let start = base.wrapping_add(offset) as usize;
@@ -185,16 +196,40 @@ pub(super) fn store<S: Simd, T: SharedWord>(
         if bits == 0 {
             continue;
         }
-        let addr = addr.get().0;
+        let mut places = addr.get().0;
+        places.iter_mut().for_each(|place| *place = place.wrapping_add(offset));
         let values = if value.is_scalar() { [r.scalar(value); CHUNK] } else { r.row(value)[i].get().0 };
-        for lane in 0..CHUNK {
-            if bits >> lane & 1 != 0 {
-                let place = (exec.low + i) * CHUNK + lane;
-                outside = outside.or(store_lane(words, addr[lane].wrapping_add(offset), values[lane], place));
-            }
+        if inside {
+            store_chunk(words, places, values, bits);
+            continue;
+        }
+        for lane in (0..CHUNK).filter(|lane| bits >> lane & 1 != 0) {
+            let place = (exec.low + i) * CHUNK + lane;
+            let wrong = store_lane(words, places[lane], values[lane], place);
+            outside = outside.or(wrong);
         }
     }
     outside
+}
+
+/// Stores the words of a chunk whose places all exist.
+#[inline(always)]
+fn store_chunk<T: SharedWord>(words: &[T], places: [u32; CHUNK], values: [u32; CHUNK], mut bits: u16) {
+    if bits == u16::MAX {
+        for (place, value) in places.into_iter().zip(values) {
+            if let Some(word) = words.get(place as usize) {
+                word.store(value);
+            }
+        }
+        return;
+    }
+    while bits != 0 {
+        let lane = bits.trailing_zeros() as usize % CHUNK;
+        bits &= bits - 1;
+        if let Some(word) = words.get(places[lane] as usize) {
+            word.store(values[lane]);
+        }
+    }
 }
 
 fn store_run<T: SharedWord>(r: Rows<'_>, run: &[T], value: Reg) {
@@ -296,13 +331,27 @@ pub(super) struct Private<'a> {
 impl Private<'_> {
     /// Loads word `addr + offset` of each lane.
     pub(super) fn load(&self, r: Rows<'_>, dst: Reg, addr: Reg, offset: u32) {
+        if addr.is_scalar() {
+            return self.load_row(r, dst, r.scalar(addr).wrapping_add(offset));
+        }
         for (i, cell) in r.row(dst).iter().enumerate() {
             let first = (r.low + i) * CHUNK;
-            let addr = if addr.is_scalar() { [r.scalar(addr); CHUNK] } else { r.row(addr)[i].get().0 };
+            let addr = r.row(addr)[i].get().0;
             cell.set(Chunk(std::array::from_fn(|lane| {
                 let place = self.place(addr[lane].wrapping_add(offset), first + lane);
                 place.map_or(0, Cell::get)
             })));
+        }
+    }
+
+    /// Loads the same word of each lane: they stand side by side.
+    fn load_row(&self, r: Rows<'_>, dst: Reg, word: u32) {
+        let row = r.row(dst);
+        let first = (word as usize).saturating_mul(self.lanes) + r.low * CHUNK;
+        let run = self.words.get(first..).and_then(|words| words.get(..row.len() * CHUNK));
+        for (i, cell) in row.iter().enumerate() {
+            let chunk = run.and_then(|run| run[i * CHUNK..].first_chunk::<CHUNK>());
+            cell.set(Chunk(chunk.map_or([0; CHUNK], |words| words.each_ref().map(Cell::get))));
         }
     }
 

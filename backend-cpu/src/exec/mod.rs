@@ -90,7 +90,7 @@ pub(crate) fn run(
         }
     };
     match work {
-        Ok(work) => Ok((counts(code, groups, &work.tallies), work.chunk_ops * CHUNK as u64)),
+        Ok(work) => Ok((counts(code, groups, &work), work.chunk_ops * CHUNK as u64)),
         Err((stop, first)) => Err(grid.trap(code, program, stop, first, settings.fuel)),
     }
 }
@@ -127,12 +127,18 @@ struct Grid {
 struct Work {
     tallies: Vec<Tally>,
     chunk_ops: u64,
+    /// Most turns of loops of one invocation.
+    longest: u32,
 }
 
 impl Work {
+    fn of(worker: Worker) -> Self {
+        Work { tallies: worker.tallies, chunk_ops: worker.chunk_ops, longest: worker.longest }
+    }
+
     fn plus(&self, other: &Self) -> Self {
         let tallies = self.tallies.iter().zip(&other.tallies).map(|(a, b)| a.plus(*b)).collect();
-        Work { tallies, chunk_ops: self.chunk_ops + other.chunk_ops }
+        Work { tallies, chunk_ops: self.chunk_ops + other.chunk_ops, longest: self.longest.max(other.longest) }
     }
 }
 
@@ -200,7 +206,7 @@ impl Grid {
     fn sequential<W: SharedWord>(&self, launch: &Launch<'_, W>, level: Level) -> Result<Work, Stopped> {
         let mut worker = Worker::new(launch.code, launch.lanes);
         dispatch!(level, simd => self.all(simd, &mut worker, launch))?;
-        Ok(Work { tallies: worker.tallies, chunk_ops: worker.chunk_ops })
+        Ok(Work::of(worker))
     }
 
     #[inline(always)]
@@ -222,14 +228,14 @@ impl Grid {
                 let result = dispatch!(level, simd => worker.run(simd, launch, first));
                 result.map_err(|stop| (index, (stop, first)))?;
             }
-            Ok(Work { tallies: worker.tallies, chunk_ops: worker.chunk_ops })
+            Ok(Work::of(worker))
         };
         let merge = |a: Result<Work, (u64, Stopped)>, b: Result<Work, (u64, Stopped)>| match (a, b) {
             (Ok(a), Ok(b)) => Ok(a.plus(&b)),
             (Err(a), Err(b)) => Err(if a.0 <= b.0 { a } else { b }),
             (Err(e), Ok(_)) | (Ok(_), Err(e)) => Err(e),
         };
-        let none = || Ok(Work { tallies: vec![Tally::default(); launch.code.costs.len()], chunk_ops: 0 });
+        let none = || Ok(Work { tallies: vec![Tally::default(); launch.code.costs.len()], chunk_ops: 0, longest: 0 });
         (0..batches).into_par_iter().map(run).reduce(none, merge).map_err(|(_, stopped)| stopped)
     }
 
@@ -252,11 +258,12 @@ impl Grid {
     }
 }
 
-fn counts(code: &Code, groups: [u32; 3], tallies: &[Tally]) -> Counts {
+fn counts(code: &Code, groups: [u32; 3], work: &Work) -> Counts {
     let workgroups: u64 = groups.iter().map(|g| u64::from(*g)).product();
     let size: u64 = code.workgroup_size.iter().map(|s| u64::from(*s)).product();
-    let mut total = Counts { invocations: workgroups * size, ..Counts::default() };
-    for (cost, tally) in code.costs.iter().zip(tallies) {
+    let (invocations, turns) = (workgroups * size, u64::from(work.longest));
+    let mut total = Counts { invocations, turns, ..Counts::default() };
+    for (cost, tally) in code.costs.iter().zip(&work.tallies) {
         total.loads += u64::from(cost.loads) * tally.invocations;
         total.stores += u64::from(cost.stores) * tally.invocations;
         total.bytes += u64::from(cost.bytes) * tally.invocations;

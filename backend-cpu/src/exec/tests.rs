@@ -9,7 +9,7 @@ use super::compare::passing;
 use super::fused;
 use super::mask::{CHUNK, Exec, Mask};
 use crate::Simd;
-use crate::code::{BinOp, Compare, Pair, Reg, TernOp, Test, UnOp};
+use crate::code::{BinOp, Compare, Pair, QuadOp, Reg, TernOp, Test, UnOp};
 use crate::semantics;
 
 /// Words at which operations change their behaviour.
@@ -212,6 +212,49 @@ fn pairs_agree_on_every_level() {
 }
 
 #[test]
+fn quads_and_mixes_agree_on_every_level() {
+    for (simd, level) in levels() {
+        for rows in operands() {
+            for op in QuadOp::ALL {
+                for (form, places) in
+                    [0, 2, 8, 10].into_iter().flat_map(|form| [[0, 1, 2, 1], [1, 0, 0, 2]].map(|p| (form, p)))
+                {
+                    let args: [Reg; 4] = std::array::from_fn(|i| register(places[i] as u16 + 1, form >> i & 1 != 0));
+                    let got =
+                        Files::new(&rows).run(|r| dispatch!(level, s => fused::quad(s, r, *op, Reg::vector(0), args)));
+                    compare(&format!("{op:?} on {}", simd.name()), &got, |lane| {
+                        let x = std::array::from_fn(|i| rows[places[i]][if args[i].is_scalar() { 0 } else { lane }]);
+                        (semantics::quad(*op, x), format!("{x:x?}"))
+                    });
+                }
+            }
+            let by: [Reg; 5] = [2, 3, 1, 2, 3].map(Reg::scalar);
+            let got =
+                Files::new(&rows).run(|r| dispatch!(level, s => fused::mix(s, r, Reg::vector(0), Reg::vector(1), by)));
+            compare(&format!("mix on {}", simd.name()), &got, |lane| {
+                let words = by.map(|r| rows[r.index() - 1][0]);
+                (semantics::mix(rows[0][lane], words), format!("{:#x} by {words:x?}", rows[0][lane]))
+            });
+        }
+    }
+}
+
+#[test]
+fn inverse_square_roots_agree_for_every_significand() {
+    for (simd, level) in levels() {
+        // Scaling by 4 halves the result: two binades stand for all.
+        for first in (0x3f80_0000..0x4080_0000u32).step_by(LANES) {
+            let row: [u32; LANES] = std::array::from_fn(|lane| first + lane as u32);
+            let got = Files::new(&[row; 3])
+                .run(|r| dispatch!(level, s => alu::unary(s, r, UnOp::InverseSqrt, Reg::vector(0), Reg::vector(1))));
+            compare(&format!("inverse square root on {}", simd.name()), &got, |lane| {
+                (semantics::unary(UnOp::InverseSqrt, row[lane]), format!("{:#x}", row[lane]))
+            });
+        }
+    }
+}
+
+#[test]
 fn choices_agree_on_every_level() {
     for (simd, level) in levels() {
         for rows in operands() {
@@ -285,15 +328,24 @@ fn tests_agree_on_every_level() {
 }
 
 #[test]
-fn contiguous_addresses_are_found() {
+fn addresses_are_surveyed() {
     let counting: [u32; LANES] = std::array::from_fn(|lane| 0xffff_fff0u32.wrapping_add(lane as u32));
     let mut broken = counting;
     broken[LANES - 1] = 0;
     for (_, level) in levels() {
         for (row, want) in [(counting, Some(counting[0])), (broken, None)] {
             let mut got = None;
-            Files::new(&[row; 3]).run(|r| got = dispatch!(level, s => alu::contiguous(s, r, Reg::vector(1))));
+            Files::new(&[row; 3]).run(|r| got = dispatch!(level, s => alu::survey(s, r, Reg::vector(1), 0, 9)).0);
             assert_eq!(got, want);
+        }
+        let below: [u32; LANES] = std::array::from_fn(|lane| 99 - lane as u32);
+        for (offset, limit, want) in
+            [(0, 100, true), (0, 99, false), (7, 107, true), (7, 106, false), (u32::MAX - 20, 60, false), (0, 0, false)]
+        {
+            let mut inside = None;
+            Files::new(&[below; 3])
+                .run(|r| inside = Some(dispatch!(level, s => alu::survey(s, r, Reg::vector(1), offset, limit)).1));
+            assert_eq!(inside, Some(want), "{offset}, {limit}");
         }
     }
 }

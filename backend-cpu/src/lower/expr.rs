@@ -4,7 +4,8 @@ use std::rc::Rc;
 
 use naga::{BinaryOperator, Expression, Handle, ScalarKind, TypeInner, UnaryOperator};
 
-use super::build::{Builder, Fail, Value, literal_word};
+use super::build::{Builder, Fail, Value};
+use super::constant::literal_word;
 use super::place::Place;
 use super::tree::{Op, Val};
 use crate::code::{BinOp, TernOp, UnOp};

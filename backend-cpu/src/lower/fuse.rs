@@ -9,7 +9,7 @@ use std::collections::HashSet;
 
 use super::emit::Linear;
 use super::regs::Virtual;
-use crate::code::{BinOp, Inst, Pair, Parts, TernOp, Test};
+use crate::code::{BinOp, Inst, Pair, Parts, QuadOp, TernOp, Test, UnOp};
 
 /// How far back the first operation may be: its operands live until the second one.
 const REACH: usize = 24;
@@ -68,6 +68,12 @@ impl Fusion {
     /// Joins the instruction with one that makes an operand of it; whether there was one.
     fn join(&mut self, linear: &mut Linear, at: usize) -> bool {
         let inst = linear.insts[at];
+        if let Inst::Fused { op: Pair::ShrXor, dst, a, b, c } = inst
+            && a == c
+            && self.mix(linear, at, dst, a, b).is_some()
+        {
+            return true;
+        }
         let mut operands = Vec::new();
         inst.registers(&linear.atomics, |register, write| operands.extend((!write).then_some(register)));
         for operand in operands {
@@ -91,6 +97,27 @@ impl Fusion {
         false
     }
 
+    /// Joins the last step of a hash, `x ^ (x >> by)`, with the two before it.
+    fn mix(&mut self, linear: &mut Linear, at: usize, dst: Virtual, x: Virtual, by: Virtual) -> Option<()> {
+        let step = |at: usize, x: Virtual| {
+            let uses = self.uses[x.index as usize];
+            // Both by the step itself: it was two operations on x.
+            let from = (uses.writes == 1 && uses.reads == 2).then(|| self.maker(linear, at, x)).flatten()?;
+            match linear.insts[from] {
+                Inst::Fused { op: Pair::XorShrMul, a, b, c, .. } => Some((from, a, [b, c])),
+                _ => None,
+            }
+        };
+        let (second, x, last) = step(at, x)?;
+        let (first, a, start) = step(second, x)?;
+        if !(self.unchanged(linear, first, at) && self.unchanged(linear, second, at)) {
+            return None;
+        }
+        linear.insts[at] = Inst::Mix { dst, a, by: [start[0], start[1], last[0], last[1], by] };
+        (self.gone[first], self.gone[second]) = (true, true);
+        Some(())
+    }
+
     /// The instruction of this run that writes an operand.
     fn maker(&self, linear: &Linear, at: usize, operand: Virtual) -> Option<usize> {
         let first = self.runs[at].max(at.saturating_sub(REACH));
@@ -111,7 +138,7 @@ impl Fusion {
 
 fn destination(inst: &Inst<Virtual>) -> Option<Virtual> {
     match *inst {
-        Inst::Bin { dst, .. } | Inst::Fused { dst, .. } => Some(dst),
+        Inst::Bin { dst, .. } | Inst::Fused { dst, .. } | Inst::Quad { dst, .. } => Some(dst),
         _ => None,
     }
 }
@@ -130,6 +157,27 @@ fn together(first: Inst<Virtual>, second: Inst<Virtual>, t: Virtual) -> Option<I
             let factor = if x == t { y } else { x };
             (a == c && factor.scalar).then_some(Inst::Fused { op: Pair::XorShrMul, dst, a, b, c: factor })
         }
+        (Inst::Bin { op, a, b, .. }, Inst::Fused { op: pair, dst, a: x, b: y, c }) if c == t && x != t && y != t => {
+            let (op, [a, b, c, d]) = quad(op, [a, b], pair, [x, y])?;
+            let (c, d) = if op.is_product() { row_first(BinOp::Mul, c, d)? } else { (c, d) };
+            let (a, b) = if op.is_product() { row_first(BinOp::Mul, a, b)? } else { (a, b) };
+            (!a.scalar && !c.scalar).then_some(Inst::Quad { op, dst, a, b, c, d })
+        }
+        (
+            Inst::Quad { op: QuadOp::EqLtU, a, b, c, d, .. },
+            Inst::Fused { op: Pair::LtUOr, dst, a: x, b: y, c: last },
+        ) => {
+            let same = (a, b) == (x, y) || (a, b) == (y, x);
+            (same && last == t).then_some(Inst::Quad { op: QuadOp::LtWide, dst, a: x, b: y, c, d })
+        }
+        (Inst::Quad { op, a, b, c, d, .. }, Inst::Un { op: UnOp::Not, dst, .. }) => {
+            let op = match op {
+                QuadOp::LtWide => QuadOp::GeWide,
+                QuadOp::GeWide => QuadOp::LtWide,
+                _ => return None,
+            };
+            Some(Inst::Quad { op, dst, a, b, c, d })
+        }
         (Inst::Bin { op: test, a, b, .. }, Inst::Tern { op: TernOp::Select, dst, a: cond, b: accept, c: reject }) => {
             let (a, b) = row_first(test, a, b).unwrap_or((a, b));
             let test = Test { op: test.comparison()?, a, b };
@@ -140,6 +188,23 @@ fn together(first: Inst<Virtual>, second: Inst<Virtual>, t: Virtual) -> Option<I
         }
         _ => None,
     }
+}
+
+/// The operation on four words that an operation on `a` and `b` and a pair are, whose third operand is the former's
+/// result, and whose first two are `x` and `y`.
+fn quad<R>(first: BinOp, [a, b]: [R; 2], pair: Pair, [x, y]: [R; 2]) -> Option<(QuadOp, [R; 4])> {
+    Some(match (first, pair) {
+        (BinOp::Mul, Pair::MulAdd | Pair::MulWordAdd) => (QuadOp::MulMulAdd, [x, y, a, b]),
+        (BinOp::Mul, Pair::MulSub | Pair::MulWordSub) => (QuadOp::MulMulSub, [x, y, a, b]),
+        (BinOp::Mul, Pair::MulRest | Pair::MulWordRest) => (QuadOp::MulMulSub, [a, b, x, y]),
+        (BinOp::ShrU, Pair::ShlOr | Pair::ShlRowOr) => (QuadOp::ShlShrOr, [x, y, a, b]),
+        (BinOp::Shl, Pair::ShrOr | Pair::ShrRowOr) => (QuadOp::ShlShrOr, [a, b, x, y]),
+        // A truth value is −1.
+        (BinOp::LtU, Pair::AddSub) => (QuadOp::AddCarry, [x, y, a, b]),
+        (BinOp::LtU, Pair::SubAdd) => (QuadOp::SubBorrow, [x, y, a, b]),
+        (BinOp::LtU, Pair::EqRowAnd | Pair::EqAnd) => (QuadOp::EqLtU, [x, y, a, b]),
+        _ => return None,
+    })
 }
 
 /// Operands in an order that puts a row first.

@@ -7,7 +7,10 @@
 mod algebra;
 mod build;
 mod builtins;
+mod constant;
+mod counter;
 mod emit;
+mod entry;
 mod expr;
 mod flow;
 mod fold;
@@ -17,7 +20,10 @@ mod place;
 mod prune;
 mod regs;
 mod scan;
+mod scope;
 mod stmt;
+#[cfg(test)]
+mod tests;
 mod tree;
 mod unroll;
 
@@ -33,7 +39,7 @@ use crate::CodeLimits;
 use crate::code::{Code, Input, Reg, Slot};
 use regs::Virtual;
 
-/// Lanes that a gang of merged workgroups aims at.
+/// Workgroups of fewer lanes are merged.
 const MERGED_LANES: u32 = 256;
 
 /// Masks that a gang can keep.
@@ -95,7 +101,7 @@ fn lower_here(program: &Program, entry: &str, overrides: &[(String, f64)], optio
     let workgroup_size = module.entry_points[index].workgroup_size;
     let lanes: u32 = workgroup_size.iter().product();
     let mergeable = !tree.has_barrier && tree.workgroup_words == 0 && lanes < MERGED_LANES;
-    let flow = flow::Flow::new(&tree, mergeable);
+    let flow = counter::split(&mut tree, mergeable);
     let mut linear = emit::emit(&tree, &flow);
     let limit = |what: String, limit: u64, remedy: &str| {
         Error::from(ErrorKind::Limit { what, limit, location: start.clone(), remedy: remedy.into() })

@@ -196,7 +196,7 @@ fn split(tree: &mut Tree, inits: &[(Var, Val)], accept: &Block, reject: &mut Blo
     renamed
 }
 
-fn rename(tree: &mut Tree, block: &mut Block, names: &HashMap<Var, Var>) {
+pub(super) fn rename(tree: &mut Tree, block: &mut Block, names: &HashMap<Var, Var>) {
     for stmt in block {
         match stmt {
             Stmt::Def(val) => {

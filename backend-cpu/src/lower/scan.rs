@@ -137,6 +137,17 @@ pub(super) fn returns_early(body: &Block) -> bool {
     }
 }
 
+/// How many statements at the beginning of a body hold no return.
+pub(super) fn before_return(body: &Block) -> usize {
+    let is_return = |s: &Statement| matches!(s, Statement::Return { .. });
+    let returns = |statement: &Statement| {
+        let mut found = is_return(statement);
+        for_each_block(statement, &mut |inner| found |= has(inner, &is_return, &|_| true));
+        found
+    };
+    body.iter().position(returns).unwrap_or(body.len())
+}
+
 /// Whether a switch case breaks anywhere but at its very end.
 pub(super) fn breaks_early(body: &[Statement]) -> bool {
     let is_break = |s: &Statement| matches!(s, Statement::Break);

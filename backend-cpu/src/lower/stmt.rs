@@ -156,6 +156,7 @@ impl<'m> Builder<'m> {
         let mut test = None;
         let body = self.nested(|b| {
             b.forget();
+            b.count_turn();
             b.block(body)?;
             b.flush();
             // `continue` skips statements: neither what variables hold nor what the body numbered is known here. What the

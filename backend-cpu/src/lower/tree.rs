@@ -131,10 +131,12 @@ pub(crate) struct Cost {
     pub(crate) bytes: u32,
     pub(crate) atomics: u32,
     pub(crate) barriers: u32,
+    /// Turns of loops that begin here.
+    pub(crate) turns: u32,
 }
 
 /// A whole entry point.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Tree {
     pub(crate) vals: Vec<Op>,
     pub(crate) vars: u32,

@@ -32,6 +32,7 @@ impl<'m> Builder<'m> {
         for _ in 0..=ROUNDS {
             self.unevaluate(body);
             self.unevaluate(continuing);
+            self.count_turn();
             self.statements(body, 0..header)?;
             let test = self.word(*condition)?;
             match self.tree.constant(test) {

@@ -209,7 +209,7 @@ fn count(work: &Work, surface: &Surface, sphere: Sphere, out: &mut dyn Write) ->
         None => writeln!(out, "lane-ops   not counted: only the interpreter has them")?,
     }
     if let Some(counts) = work.counts {
-        let Counts { invocations, loads, stores, bytes, atomics, barriers } = counts;
+        let Counts { invocations, loads, stores, bytes, atomics, barriers, .. } = counts;
         writeln!(out, "work       {invocations} invocations, {barriers} barriers")?;
         writeln!(out, "memory     {loads} loads, {stores} stores, {atomics} atomics, {bytes} bytes")?;
     }

@@ -160,5 +160,6 @@ fn difference(after: sightlines_backend::Counts, before: sightlines_backend::Cou
         bytes: after.bytes - before.bytes,
         atomics: after.atomics - before.atomics,
         barriers: after.barriers - before.barriers,
+        turns: after.turns,
     }
 }
