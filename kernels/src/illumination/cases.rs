@@ -29,6 +29,7 @@ pub(super) fn all() -> Vec<Case> {
         colours("a_word_and_one", 300, 33, |i| random::word(1, i)),
         colours("all_dark", 70, 64, |_| u32::MAX),
         colours("full_range", 257, 258, |i| random::word(2, i) & random::word(3, i)),
+        in_blocks("in_blocks", 257, 258, &[96, 32, 64, 66]),
         encode("codes", 1000),
         whole(30_000, 5),
     ]
@@ -173,6 +174,40 @@ fn colours(name: &str, vertices: u32, lights: u32, hidden: fn(u32) -> u32) -> Ca
         let colours = job.slice("colours", &vec![MARK; 3 * vertices as usize + 1]);
         let kernel = Illumination::new()?;
         kernel.record_illuminate(&mut job, &surface, (lights, units, intensities), SHIFT, colours)?;
+        job.read("colours", colours.id());
+        Ok(job)
+    };
+    let expected = move |_: &_| {
+        let (units, intensities) = (units(), texels(lights, 13));
+        let colour = |v: u32| oracle::colour(&entries(v, &units, vertices * 2 / 3 + 1, hidden), &intensities, SHIFT);
+        let colours: Vec<[u32; 3]> = (0..vertices).map(colour).collect();
+        vec![Expected::Whole(planes(&colours).into_iter().chain([MARK]).collect())]
+    };
+    Case::new(name, Size::Small, job, expected).probes([0, 1, vertices, 2 * vertices])
+}
+
+/// Lights in blocks of their own bits, whose sums are carried from one to the next.
+fn in_blocks(name: &str, vertices: u32, lights: u32, blocks: &'static [u32]) -> Case {
+    const SHIFT: [i32; 3] = [40, 11, -7];
+    let hidden = |i: u32| random::word(4, i);
+    let units = move || lattice(3).into_iter().take(lights as usize).collect::<Vec<_>>();
+    let job = move || {
+        let mut job = Job::new();
+        let whole = surface(&mut job, vertices, lights, hidden);
+        let sums = job.zeroed("sums", 6 * u64::from(vertices));
+        let kernel = Illumination::new()?;
+        let mut first = 0;
+        for &count in blocks {
+            let range = first as usize..(first + count) as usize;
+            let words = first / 32 * whole.positions..(first + count).div_ceil(32) * whole.positions;
+            let occluded = job.slice("occluded", &words.map(hidden).collect::<Vec<u32>>());
+            let units = upload_directions(&mut job, &units()[range.clone()]);
+            let intensities = upload4(&mut job, "intensities", &texels(lights, 13)[range]);
+            kernel.record_block(&mut job, &Surface { occluded, ..whole }, (count, units, intensities), sums)?;
+            first += count;
+        }
+        let colours = job.slice("colours", &vec![MARK; 3 * vertices as usize + 1]);
+        kernel.record_resolve(&mut job, vertices, sums, SHIFT, colours)?;
         job.read("colours", colours.id());
         Ok(job)
     };

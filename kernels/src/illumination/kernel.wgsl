@@ -12,7 +12,8 @@
 //
 //     sum over visible j of max(0, floor(n_v . l_j / 2^15)) * intensities[j][c] / 2^shift[c], rounded once,
 //
-// the sum modulo 2^64, as the bits of an f32. `encode` writes how many of 255 ascending thresholds a colour reaches, for
+// the sum modulo 2^64, as the bits of an f32; `add_block` adds the sum of a block of lights to those of earlier ones, and
+// `resolve` rounds them. `encode` writes how many of 255 ascending thresholds a colour reaches, for
 // each channel.
 
 import package::shared::angle::atan2_bam;
@@ -153,12 +154,16 @@ struct Lights {
 /// f32 bits of all red values, then green, then blue.
 @group(0) @binding(13) var<storage, read_write> colours: array<u32>;
 
-@compute @workgroup_size(256)
-fn illuminate(@builtin(global_invocation_id) id: vec3<u32>) {
-    let vertex = lights.first + id.x;
-    if (vertex >= lights.vertices) {
-        return;
-    }
+/// For each channel the low words of all vertices' sums, then the high words.
+@group(0) @binding(17) var<storage, read_write> sums: array<u32>;
+
+struct Light {
+    red: vec2<u32>,
+    green: vec2<u32>,
+    blue: vec2<u32>,
+}
+
+fn light_of(vertex: u32) -> Light {
     let n = vec3<i32>(normals[vertex], normals[lights.vertices + vertex], normals[2u * lights.vertices + vertex]);
     let position = position_of[vertex];
     var red = vec2<u32>();
@@ -177,9 +182,52 @@ fn illuminate(@builtin(global_invocation_id) id: vec3<u32>) {
             blue = add64(blue, umul_wide(entry, light.z));
         }
     }
-    colours[vertex] = u64_to_f(red, lights.shift.x);
-    colours[lights.vertices + vertex] = u64_to_f(green, lights.shift.y);
-    colours[2u * lights.vertices + vertex] = u64_to_f(blue, lights.shift.z);
+    return Light(red, green, blue);
+}
+
+fn write_colour(vertex: u32, light: Light) {
+    colours[vertex] = u64_to_f(light.red, lights.shift.x);
+    colours[lights.vertices + vertex] = u64_to_f(light.green, lights.shift.y);
+    colours[2u * lights.vertices + vertex] = u64_to_f(light.blue, lights.shift.z);
+}
+
+fn sum_at(vertex: u32, channel: u32) -> vec2<u32> {
+    let low = 2u * channel * lights.vertices + vertex;
+    return vec2<u32>(sums[low], sums[low + lights.vertices]);
+}
+
+fn add_to_sum(vertex: u32, channel: u32, more: vec2<u32>) {
+    let low = 2u * channel * lights.vertices + vertex;
+    let sum = add64(sum_at(vertex, channel), more);
+    sums[low] = sum.x;
+    sums[low + lights.vertices] = sum.y;
+}
+
+@compute @workgroup_size(256)
+fn illuminate(@builtin(global_invocation_id) id: vec3<u32>) {
+    let vertex = lights.first + id.x;
+    if (vertex < lights.vertices) {
+        write_colour(vertex, light_of(vertex));
+    }
+}
+
+@compute @workgroup_size(256)
+fn add_block(@builtin(global_invocation_id) id: vec3<u32>) {
+    let vertex = lights.first + id.x;
+    if (vertex < lights.vertices) {
+        let light = light_of(vertex);
+        add_to_sum(vertex, 0u, light.red);
+        add_to_sum(vertex, 1u, light.green);
+        add_to_sum(vertex, 2u, light.blue);
+    }
+}
+
+@compute @workgroup_size(256)
+fn resolve(@builtin(global_invocation_id) id: vec3<u32>) {
+    let vertex = lights.first + id.x;
+    if (vertex < lights.vertices) {
+        write_colour(vertex, Light(sum_at(vertex, 0u), sum_at(vertex, 1u), sum_at(vertex, 2u)));
+    }
 }
 
 @group(0) @binding(14) var<storage, read> given: array<u32>;

@@ -103,6 +103,24 @@ bindings! {
         write colours @ 13: [u32],
     }
 
+    /// What `add_block` is given.
+    pub struct AddBlock {
+        uniform lights @ 7: Lights,
+        read normals @ 8: [i32],
+        read position_of @ 9: [u32],
+        read occluded @ 10: [u32],
+        read units @ 11: [IVec4],
+        read intensities @ 12: [UVec4],
+        write sums @ 17: [u32],
+    }
+
+    /// What `resolve` is given.
+    pub struct Resolve {
+        uniform lights @ 7: Lights,
+        write colours @ 13: [u32],
+        write sums @ 17: [u32],
+    }
+
     /// What `encode` is given.
     pub struct Encode {
         uniform lights @ 7: Lights,
@@ -163,6 +181,8 @@ impl Illumination {
         Blur::check(&program, "blur")?;
         LookUp::check(&program, "look_up")?;
         Illuminate::check(&program, "illuminate")?;
+        AddBlock::check(&program, "add_block")?;
+        Resolve::check(&program, "resolve")?;
         Encode::check(&program, "encode")?;
         Ok(Illumination { program })
     }
@@ -227,33 +247,80 @@ impl Illumination {
         &self,
         job: &mut Job,
         surface: &Surface,
-        (count, units, intensities): (u32, Buffer<[IVec4]>, Buffer<[UVec4]>),
+        block: (u32, Buffer<[IVec4]>, Buffer<[UVec4]>),
         shift: [i32; 3],
         colours: Buffer<[u32]>,
     ) -> Result<()> {
-        let Surface { normals, position_of, positions, occluded } = *surface;
-        let vertices = normals.len() / 3;
-        let bits = u64::from(positions) * u64::from(count.div_ceil(32));
-        let lights = units.len().min(intensities.len());
-        let fits = occluded.len() >= bits && lights >= count.into() && position_of.len() >= vertices;
-        if !fits || colours.len() < 3 * vertices || count > MAX_LIGHTS || shift.iter().any(|s| s.abs() > 96) {
-            let what = format!(
-                "colours of {vertices} vertices at {positions} positions under {count} of {lights} lights, with shifts {shift:?}"
-            );
-            let remedy =
-                format!("give a bit for each position and light, at most {MAX_LIGHTS} lights, shifts within ±96");
-            return Err(Error::refused(what, remedy));
-        }
-        let vertices = vertices as u32;
-        let program = job.program(&self.program);
-        pieces::record(job, vertices.div_ceil(GROUP), u64::from(GROUP * (count / 8 + 16)), |job, piece| {
-            let shift = IVec3::from_array(shift);
-            let lights = Lights { vertices, positions, count, first: piece.start * GROUP, shift, _pad: 0 };
-            let lights = job.value("lights", &lights);
-            let bound = Illuminate { lights, normals, position_of, occluded, units, intensities, colours };
-            job.launch(program, "illuminate", &bound, [piece.len() as u32, 1, 1]);
+        surface.check(block)?;
+        check_colours(surface.vertices(), shift, colours)?;
+        let Surface { normals, position_of, occluded, .. } = *surface;
+        let (_, units, intensities) = block;
+        self.launch_lights(job, "illuminate", surface.lights(block.0, shift), |lights| Illuminate {
+            lights,
+            normals,
+            position_of,
+            occluded,
+            units,
+            intensities,
+            colours,
         });
         Ok(())
+    }
+
+    /// Adds what a block of lights gives to `sums`, six words a vertex, which are 0 before the first block. The bits of
+    /// `surface` are those of the block; all blocks together have at most [`MAX_LIGHTS`] lights.
+    pub fn record_block(
+        &self,
+        job: &mut Job,
+        surface: &Surface,
+        block: (u32, Buffer<[IVec4]>, Buffer<[UVec4]>),
+        sums: Buffer<[u32]>,
+    ) -> Result<()> {
+        surface.check(block)?;
+        check_sums(surface.vertices(), sums)?;
+        let Surface { normals, position_of, occluded, .. } = *surface;
+        let (_, units, intensities) = block;
+        self.launch_lights(job, "add_block", surface.lights(block.0, [0; 3]), |lights| AddBlock {
+            lights,
+            normals,
+            position_of,
+            occluded,
+            units,
+            intensities,
+            sums,
+        });
+        Ok(())
+    }
+
+    /// Colours of `vertices` vertices from the sums over all blocks.
+    pub fn record_resolve(
+        &self,
+        job: &mut Job,
+        vertices: u32,
+        sums: Buffer<[u32]>,
+        shift: [i32; 3],
+        colours: Buffer<[u32]>,
+    ) -> Result<()> {
+        check_sums(vertices.into(), sums)?;
+        check_colours(vertices.into(), shift, colours)?;
+        let lights = Lights { vertices, positions: 0, count: 0, first: 0, shift: IVec3::from_array(shift), _pad: 0 };
+        self.launch_lights(job, "resolve", lights, |lights| Resolve { lights, colours, sums });
+        Ok(())
+    }
+
+    fn launch_lights<B: Bindings>(
+        &self,
+        job: &mut Job,
+        entry: &str,
+        lights: Lights,
+        bind: impl Fn(Buffer<Lights>) -> B,
+    ) {
+        let program = job.program(&self.program);
+        let words = u64::from(GROUP * (lights.count / 8 + 16));
+        pieces::record(job, lights.vertices.div_ceil(GROUP), words, |job, piece| {
+            let lights = job.value("lights", &Lights { first: piece.start * GROUP, ..lights });
+            job.launch(program, entry, &bind(lights), [piece.len() as u32, 1, 1]);
+        });
     }
 
     /// Bytes of the colours of `vertices` vertices, as [`gamma_table`] encodes them.
@@ -279,6 +346,48 @@ impl Illumination {
         });
         Ok(())
     }
+}
+
+impl Surface {
+    fn vertices(&self) -> u64 {
+        self.normals.len() / 3
+    }
+
+    fn lights(&self, count: u32, shift: [i32; 3]) -> Lights {
+        let (vertices, positions) = (self.vertices() as u32, self.positions);
+        Lights { vertices, positions, count, first: 0, shift: IVec3::from_array(shift), _pad: 0 }
+    }
+
+    /// Refuses lights for which there are no bits, directions or intensities.
+    fn check(&self, (count, units, intensities): (u32, Buffer<[IVec4]>, Buffer<[UVec4]>)) -> Result<()> {
+        let bits = u64::from(self.positions) * u64::from(count.div_ceil(32));
+        let (lights, vertices) = (units.len().min(intensities.len()), self.vertices());
+        let fits = self.occluded.len() >= bits && lights >= count.into() && self.position_of.len() >= vertices;
+        if fits && count <= MAX_LIGHTS {
+            return Ok(());
+        }
+        let what = format!(
+            "light for {vertices} vertices at {} positions from {count} of {lights} lights, with {} of {bits} words of bits",
+            self.positions,
+            self.occluded.len()
+        );
+        Err(Error::refused(what, format!("give a bit for each position and light, and at most {MAX_LIGHTS} lights")))
+    }
+}
+
+fn check_colours(vertices: u64, shift: [i32; 3], colours: Buffer<[u32]>) -> Result<()> {
+    if colours.len() >= 3 * vertices && shift.iter().all(|s| s.abs() <= 96) {
+        return Ok(());
+    }
+    let what = format!("{} words for the colours of {vertices} vertices, with shifts {shift:?}", colours.len());
+    Err(Error::refused(what, "give three words a vertex, and shifts within ±96"))
+}
+
+fn check_sums(vertices: u64, sums: Buffer<[u32]>) -> Result<()> {
+    if sums.len() >= 6 * vertices {
+        return Ok(());
+    }
+    Err(Error::refused(format!("{} words for the sums of {vertices} vertices", sums.len()), "give six words a vertex"))
 }
 
 /// The number of texels of a map that `texels` holds.

@@ -60,6 +60,8 @@ pub struct Projected {
     list: Buffer<[u32]>,
     /// How many workgroups take them, piece by piece.
     workgroups: Buffer<[u32]>,
+    /// Which triangles those are, and how many of them come before each.
+    marks: [Buffer<[u32]>; 2],
     /// Bound in place of an item buffer where depths alone are drawn.
     no_items: Buffer<[u32]>,
 }
@@ -239,8 +241,30 @@ impl Raster {
             screen: job.zeroed("raster screen", u64::from(mesh.points()).max(1)),
             list: job.zeroed("raster list", mesh.places()),
             workgroups: job.zeroed("raster workgroups", 3 * u64::from(pieces)),
+            marks: ["raster marks", "marks before"].map(|name| job.zeroed(name, mesh.places())),
             no_items: job.zeroed("no items", 1),
         };
+        self.record_project(job, &projected)?;
+        Ok(projected)
+    }
+
+    /// Puts the same vertices on the screen with other rows and another near plane, in the place of what was projected.
+    pub fn project_again(
+        &self,
+        job: &mut Job,
+        projected: &mut Projected,
+        near: i32,
+        rows: Buffer<[IVec4]>,
+    ) -> Result<()> {
+        let (view, mesh) = (View { near, ..projected.view }, Mesh { rows, ..projected.mesh });
+        view.check()?;
+        mesh.check()?;
+        (projected.view, projected.mesh) = (view, mesh);
+        self.record_project(job, projected)
+    }
+
+    fn record_project(&self, job: &mut Job, projected: &Projected) -> Result<()> {
+        let mesh = projected.mesh;
         let program = job.program(&self.depth);
         // Three coordinates, four rows and four words written, at most.
         pieces::record(job, mesh.points().div_ceil(GROUP), u64::from(23 * GROUP), |job, piece| {
@@ -249,13 +273,11 @@ impl Raster {
             let bound = Project { params, vertices, rows, projected: screen };
             job.launch(program, "project", &bound, [piece.len() as u32, 1, 1]);
         });
-        self.sort(job, &projected)?;
-        Ok(projected)
+        self.sort(job, projected)
     }
 
     fn sort(&self, job: &mut Job, projected: &Projected) -> Result<()> {
-        let Projected { mesh, screen, list, workgroups, .. } = *projected;
-        let [marks, before] = ["raster marks", "marks before"].map(|name| job.zeroed(name, mesh.places()));
+        let Projected { mesh, screen, list, workgroups, marks: [marks, before], .. } = *projected;
         let program = job.program(&self.depth);
         let groups = mesh.triangles().div_ceil(GROUP);
         let params = |job: &mut Job, first| job.value("raster params", &Params { first, ..projected.params() });

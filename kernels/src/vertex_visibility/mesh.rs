@@ -65,7 +65,7 @@ impl Mesh {
     }
 
     /// Least and greatest coordinates; the origin without vertices.
-    pub(super) fn bounds(&self) -> [Point; 2] {
+    pub fn bounds(&self) -> [Point; 2] {
         let first = self.vertices.first().copied().unwrap_or_default();
         self.vertices.iter().fold([first; 2], |[low, high], p| {
             [[0, 1, 2].map(|i| low[i].min(p[i])), [0, 1, 2].map(|i| high[i].max(p[i]))]
