@@ -84,8 +84,8 @@ int main(int count, char** arguments) {
     // "SIGH", "TRAY".
     if (words.next() != 0x48474953 || words.next() != 0x59415254) fail(std::string(arguments[1]) + ": no trace file");
     const uint32_t kind = words.next();
-    if (kind != 0) fail(std::string(arguments[1]) + ": rays of kind " + std::to_string(kind) + " are not known");
+    if (kind > 1) fail(std::string(arguments[1]) + ": rays of kind " + std::to_string(kind) + " are not known");
     Scene scene(words, robust);
-    trace_shadows(scene, words, arguments[2]);
+    (kind == 0 ? trace_shadows : trace_ambient)(scene, words, arguments[2]);
     return 0;
 }

@@ -3,7 +3,7 @@
 // A trace file is a sequence of little-endian 32-bit words:
 //
 //     words 0, 1   "SIGHTRAY"
-//     word 2       kind: 0 for soft shadows (shadows.cpp)
+//     word 2       kind: 0 for soft shadows (shadows.cpp), 1 for ambient occlusion (ambient.cpp)
 //     word 3       T, the number of triangles
 //     9 T words    vertices, x y z each, signed, in cells of the grid
 //     the rest     as the kind says
@@ -63,3 +63,6 @@ struct Scene {
 
 /// Traces a file of kind 0 from its word after the triangles, and prints the object.
 void trace_shadows(const Scene& scene, Words& words, const std::string& answers);
+
+/// The same for kind 1.
+void trace_ambient(const Scene& scene, Words& words, const std::string& answers);
