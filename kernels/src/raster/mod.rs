@@ -269,7 +269,7 @@ impl Raster {
         // Three coordinates, four rows and four words written, at most.
         pieces::record(job, mesh.points().div_ceil(GROUP), u64::from(23 * GROUP), |job, piece| {
             let params = job.value("raster params", &Params { first: piece.start, ..projected.params() });
-            let Projected { mesh: Mesh { vertices, rows, .. }, screen, .. } = projected;
+            let Projected { mesh: Mesh { vertices, rows, .. }, screen, .. } = *projected;
             let bound = Project { params, vertices, rows, projected: screen };
             job.launch(program, "project", &bound, [piece.len() as u32, 1, 1]);
         });
