@@ -1,12 +1,22 @@
 //! Files that are whole or not there: written under another name in the target's folder, then renamed.
+//!
+//! A run that is killed while it writes leaves such a part behind. Parts are locked as long as their run lives, so the next
+//! run with a target in the folder knows those that nobody will finish, and removes them.
 
-use std::fs;
+use std::fs::{self, File};
 use std::io::{self, BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use tempfile::NamedTempFile;
 
 use crate::error::{Error, Result};
+
+const PREFIX: &str = ".sightlines-";
+const SUFFIX: &str = ".part";
+
+/// Age from which a part that is not locked is a leftover: a younger one may be about to be locked.
+const LEFTOVER: Duration = Duration::from_secs(10);
 
 /// What the formats write to.
 pub(crate) trait Sink: Write + Seek {}
@@ -19,7 +29,29 @@ impl<T: Write + Seek> Sink for T {}
 ///
 /// [`Error::Write`]: its folder is missing or not writable, or it is there and not a file.
 pub fn probe(path: &Path) -> Result<()> {
-    temporary(path).map(drop).map_err(|source| Error::write(path, source))
+    let (_, target) = temporary(path).map_err(|source| Error::write(path, source))?;
+    sweep(folder(&target));
+    Ok(())
+}
+
+/// Removes the parts of runs that were killed.
+fn sweep(folder: &Path) {
+    let left = |file: &File| {
+        let age = file.metadata().and_then(|found| found.modified()).ok().and_then(|time| time.elapsed().ok());
+        age.is_some_and(|age| age > LEFTOVER) && file.try_lock().is_ok()
+    };
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        let name = entry.file_name();
+        let is_part = name.to_str().is_some_and(|name| name.starts_with(PREFIX) && name.ends_with(SUFFIX));
+        if is_part && File::open(entry.path()).is_ok_and(|file| left(&file)) {
+            // One that cannot be removed harms nobody.
+            let _ = fs::remove_file(entry.path());
+        }
+    }
+}
+
+fn folder(target: &Path) -> &Path {
+    target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
 /// Puts at `path` what `fill` writes. After an error the file is what it was before.
@@ -49,14 +81,15 @@ fn temporary(path: &Path) -> io::Result<(NamedTempFile, PathBuf)> {
     if target.file_name().is_none() {
         return Err(io::Error::new(io::ErrorKind::InvalidInput, "not the name of a file"));
     }
-    let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut builder = tempfile::Builder::new();
-    builder.prefix(".sightlines-").suffix(".part");
+    builder.prefix(PREFIX).suffix(SUFFIX);
     // The system's mask applies, as it does to any file that a program makes.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     // The kind alone: the name of the temporary file tells nobody anything.
-    let file = builder.tempfile_in(folder).map_err(|e| io::Error::from(e.kind()))?;
+    let file = builder.tempfile_in(folder(&target)).map_err(|e| io::Error::from(e.kind()))?;
+    // Without locks a leftover stays, and nothing else is lost.
+    let _ = file.as_file().try_lock();
     Ok((file, target))
 }
 
@@ -98,6 +131,27 @@ mod tests {
         for nameless in ["", "/", ".."] {
             assert!(matches!(probe(Path::new(nameless)), Err(Error::Write { .. })), "`{nameless}`");
         }
+    }
+
+    #[test]
+    fn parts_of_killed_runs_are_removed_and_those_of_living_ones_are_not() {
+        let folder = tempfile::tempdir().unwrap();
+        let target = folder.path().join("a.png");
+        let old = |name: &str| {
+            let file = File::create(folder.path().join(name)).unwrap();
+            file.set_modified(std::time::SystemTime::now() - 2 * LEFTOVER).unwrap();
+            file
+        };
+        for left in [".sightlines-dead.part", "other.part", ".sightlines-mine"] {
+            drop(old(left));
+        }
+        let living = old(".sightlines-living.part");
+        living.lock().unwrap();
+        fs::write(folder.path().join(".sightlines-young.part"), "").unwrap();
+        probe(&target).unwrap();
+        let mut left = names(folder.path());
+        left.sort();
+        assert_eq!(left, [".sightlines-living.part", ".sightlines-mine", ".sightlines-young.part", "other.part"]);
     }
 
     #[cfg(unix)]

@@ -7,7 +7,8 @@
 use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
-use gltf::json::validation::Error as Reason;
+use gltf::json::animation::Channel;
+use gltf::json::validation::{Checked, Error as Reason};
 use gltf::mesh::Mode;
 use gltf::{Document, Node, Primitive, Semantic};
 
@@ -72,6 +73,17 @@ fn parse(path: &Path, bytes: &[u8]) -> Result<(Document, Option<Vec<u8>>)> {
             return Err(place()
                 .element(format!("meshes[{index}]"))
                 .error("an accessor's index is out of bounds", REMEDY));
+        }
+    }
+    for (index, animation) in root.animations.iter().enumerate() {
+        let place = |channel: usize| place().element(format!("animations[{index}].channels[{channel}].target"));
+        for (channel, Channel { target, .. }) in animation.channels.iter().enumerate() {
+            if target.node.value() >= root.nodes.len() {
+                return Err(place(channel).error("its node's index is out of bounds", REMEDY));
+            }
+            if target.path == Checked::Invalid {
+                return Err(place(channel).error("its path is none of the format's", REMEDY));
+            }
         }
     }
     let document = Document::from_json(root).map_err(|e| match e {

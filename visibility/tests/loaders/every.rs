@@ -10,7 +10,7 @@ use sightlines_visibility::ambient::file::Stored;
 use sightlines_visibility::ambient::{Environment, Surface};
 use sightlines_visibility::queries::{Stage, files};
 use sightlines_visibility::scene::frame::Frame;
-use sightlines_visibility::scene::{Camera, Lens, World, load, load_world, read_text};
+use sightlines_visibility::scene::{Camera, Lens, Motion, World, load, load_world, read_text};
 use sightlines_visibility::setup::{Settings, Setup};
 use sightlines_visibility::{Error, Result, sets};
 
@@ -59,6 +59,10 @@ pub(crate) fn read(kind: &str, path: &Path) -> Result<()> {
             // Either may refuse what the other takes: a mesh too far from the origin, a camera without extent.
             let (scene, world) = (load(path), load_world(path));
             prepare(&world?);
+            if ["gltf", "glb"].contains(&kind) {
+                let motion = Motion::load(path)?;
+                motion.at(0.5 * motion.duration())?;
+            }
             let scene = scene?;
             Surface::new(&scene)?;
             Setup::new(scene, &Settings::default())?;

@@ -55,32 +55,41 @@ fn binary_ply() -> Vec<u8> {
     head.bytes().chain(words.flat_map(u32::to_le_bytes)).collect()
 }
 
-/// Two instances of a mesh with normals and indices, a sparse accessor, a camera, a skin and an animation.
+/// Two instances of a mesh with normals, indices and joints, a sparse accessor, a camera, a skin and an animation.
 const GLTF: &str = r#"{
 "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 2]}],
 "nodes": [{"name": "leaf", "mesh": 0, "children": [1], "rotation": [0, 0.6, 0, 0.8]},
   {"mesh": 0, "translation": [1, 2, 3], "scale": [2, 2, -1], "skin": 0}, {"camera": 0, "translation": [0, 1, 9]}],
 "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1, "aspectRatio": 1.5}}],
-"meshes": [{"name": "blade", "primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1}, "indices": 2, "mode": 5}]}],
-"skins": [{"joints": [0]}],
-"animations": [{"channels": [{"sampler": 0, "target": {"node": 1, "path": "translation"}}],
-  "samplers": [{"input": 3, "output": 1, "interpolation": "LINEAR"}]}],
+"meshes": [{"name": "blade", "primitives": [{"attributes":
+  {"POSITION": 0, "NORMAL": 1, "JOINTS_0": 4, "WEIGHTS_0": 5}, "indices": 2, "mode": 5}]}],
+"skins": [{"joints": [0, 2], "inverseBindMatrices": 6}],
+"animations": [{"channels": [{"sampler": 0, "target": {"node": 1, "path": "translation"}},
+  {"sampler": 1, "target": {"node": 0, "path": "rotation"}}],
+  "samplers": [{"input": 3, "output": 1, "interpolation": "LINEAR"}, {"input": 3, "output": 5, "interpolation": "STEP"}]}],
 "accessors": [
   {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0,0,0], "max": [1,1,1],
    "sparse": {"count": 1, "indices": {"bufferView": 2, "componentType": 5123}, "values": {"bufferView": 1}}},
   {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC3"},
   {"bufferView": 2, "byteOffset": 2, "componentType": 5123, "count": 3, "type": "SCALAR"},
-  {"bufferView": 0, "componentType": 5126, "count": 3, "type": "SCALAR", "min": [0], "max": [0]}],
+  {"bufferView": 3, "componentType": 5126, "count": 3, "type": "SCALAR", "min": [0], "max": [2]},
+  {"bufferView": 2, "componentType": 5121, "count": 3, "type": "VEC4"},
+  {"bufferView": 4, "componentType": 5126, "count": 3, "type": "VEC4"},
+  {"bufferView": 4, "componentType": 5126, "count": 2, "type": "MAT4"}],
 "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 36},
-  {"buffer": 0, "byteOffset": 72, "byteLength": 8}],
-"buffers": [{URI"byteLength": 80}]
+  {"buffer": 0, "byteOffset": 72, "byteLength": 12}, {"buffer": 0, "byteOffset": 84, "byteLength": 12},
+  {"buffer": 0, "byteOffset": 96, "byteLength": 128}],
+"buffers": [{URI"byteLength": 224}]
 }"#;
 
 fn buffer() -> Vec<u8> {
     let corners = [0.0_f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
     let normals = [0.0_f32, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0];
-    let floats = corners.into_iter().chain(normals).flat_map(f32::to_le_bytes);
-    floats.chain([1_u16, 0, 1, 2].into_iter().flat_map(u16::to_le_bytes)).collect()
+    let bytes = |floats: &[f32]| floats.iter().flat_map(|c| c.to_le_bytes()).collect::<Vec<_>>();
+    // Indices, which are joints too; times; matrices, which are weights and rotations too.
+    let small = [1_u16, 0, 1, 2, 0, 0].into_iter().flat_map(u16::to_le_bytes).collect();
+    let identity: Vec<f32> = (0..16).map(|i| f32::from(u8::from(i % 5 == 0))).collect();
+    [bytes(&corners), bytes(&normals), small, bytes(&[0.0, 1.0, 2.0]), bytes(&identity), bytes(&identity)].concat()
 }
 
 fn uri() -> String {

@@ -12,7 +12,7 @@ use gltf::{Document, Node, Semantic};
 use super::accessor::Buffers;
 use super::{REMEDY, Walk, affine, parse, roots};
 use crate::error::{Place, Result};
-use crate::scene::{Affine, Mesh, Scene, World, load};
+use crate::scene::{Affine, MAX_TRIANGLES, MAX_VERTICES, Mesh, Scene, World, limit, load};
 use crate::vector::{add, scale};
 
 /// A file whose nodes move.
@@ -99,7 +99,16 @@ impl Animated {
         };
         let known = HashMap::new();
         let walk = Walk { path, buffers, seen: HashSet::new(), known, world, vertices: 0, triangles: 0 };
-        let meshes = document.meshes().map(|mesh| Skinned::read(&walk, &mesh)).collect::<Result<_>>()?;
+        let (mut meshes, mut vertices, mut triangles) = (Vec::new(), 0, 0);
+        for mesh in document.meshes() {
+            let read = Skinned::read(&walk, &mesh)?;
+            let place = || Place::file(path).element(format!("mesh {}", mesh.index()));
+            vertices += read.mesh.vertices.len();
+            triangles += read.mesh.triangles.len();
+            limit(place(), "vertices", vertices, MAX_VERTICES)?;
+            limit(place(), "triangles", triangles, MAX_TRIANGLES)?;
+            meshes.push(read);
+        }
         let animated = Animated { path: path.to_owned(), nodes, meshes, skins, channels };
         animated.check()?;
         Ok(animated)
@@ -190,10 +199,19 @@ impl Rest {
 
 impl Skinned {
     fn read(walk: &Walk<'_>, mesh: &gltf::Mesh<'_>) -> Result<Self> {
+        let whole = walk.read_mesh(mesh)?;
         let mut joints = Vec::new();
-        for primitive in mesh.primitives().filter(|primitive| primitive.get(&Semantic::Positions).is_some()) {
+        for primitive in mesh.primitives() {
+            let Some(positions) = primitive.get(&Semantic::Positions) else { continue };
             let accessors = (primitive.get(&Semantic::Joints(0)), primitive.get(&Semantic::Weights(0)));
             let (Some(numbers), Some(weights)) = accessors else { continue };
+            let counts = [&positions, &numbers, &weights].map(|accessor| accessor.count());
+            if counts != [counts[0]; 3] {
+                let [positions, numbers, weights] = counts;
+                let what = format!("{positions} positions, {numbers} joints and {weights} weights");
+                let element = format!("mesh {}, primitive {}", mesh.index(), primitive.index());
+                return Err(Place::file(walk.path).element(element).error(what, REMEDY));
+            }
             let (numbers, weights) =
                 (walk.buffers.fours(&numbers, "joints")?, walk.buffers.fours(&weights, "weights")?);
             let four = |(n, w): (&[f64; 4], &[f64; 4])| {
@@ -202,7 +220,7 @@ impl Skinned {
             };
             joints.extend(numbers.iter().zip(&weights).map(four));
         }
-        Ok(Skinned { mesh: walk.read_mesh(mesh)?, joints })
+        Ok(Skinned { mesh: whole, joints })
     }
 
     /// Where the joints take it. Normals are computed anew by whoever needs them.
