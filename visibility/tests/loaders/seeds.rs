@@ -63,7 +63,7 @@ const GLTF: &str = r#"{
 "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1, "aspectRatio": 1.5}}],
 "meshes": [{"name": "blade", "primitives": [{"attributes":
   {"POSITION": 0, "NORMAL": 1, "JOINTS_0": 4, "WEIGHTS_0": 5}, "indices": 2, "mode": 5}]}],
-"skins": [{"joints": [0, 2], "inverseBindMatrices": 6}],
+"skins": [{"joints": [0, 2, 1], "inverseBindMatrices": 6}],
 "animations": [{"channels": [{"sampler": 0, "target": {"node": 1, "path": "translation"}},
   {"sampler": 1, "target": {"node": 0, "path": "rotation"}}],
   "samplers": [{"input": 3, "output": 1, "interpolation": "LINEAR"}, {"input": 3, "output": 5, "interpolation": "STEP"}]}],
@@ -75,11 +75,11 @@ const GLTF: &str = r#"{
   {"bufferView": 3, "componentType": 5126, "count": 3, "type": "SCALAR", "min": [0], "max": [2]},
   {"bufferView": 2, "componentType": 5121, "count": 3, "type": "VEC4"},
   {"bufferView": 4, "componentType": 5126, "count": 3, "type": "VEC4"},
-  {"bufferView": 4, "componentType": 5126, "count": 2, "type": "MAT4"}],
+  {"bufferView": 4, "componentType": 5126, "count": 3, "type": "MAT4"}],
 "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 36},
   {"buffer": 0, "byteOffset": 72, "byteLength": 12}, {"buffer": 0, "byteOffset": 84, "byteLength": 12},
-  {"buffer": 0, "byteOffset": 96, "byteLength": 128}],
-"buffers": [{URI"byteLength": 224}]
+  {"buffer": 0, "byteOffset": 96, "byteLength": 192}],
+"buffers": [{URI"byteLength": 288}]
 }"#;
 
 fn buffer() -> Vec<u8> {
@@ -89,7 +89,7 @@ fn buffer() -> Vec<u8> {
     // Indices, which are joints too; times; matrices, which are weights and rotations too.
     let small = [1_u16, 0, 1, 2, 0, 0].into_iter().flat_map(u16::to_le_bytes).collect();
     let identity: Vec<f32> = (0..16).map(|i| f32::from(u8::from(i % 5 == 0))).collect();
-    [bytes(&corners), bytes(&normals), small, bytes(&[0.0, 1.0, 2.0]), bytes(&identity), bytes(&identity)].concat()
+    [bytes(&corners), bytes(&normals), small, bytes(&[0.0, 1.0, 2.0]), bytes(&identity.repeat(3))].concat()
 }
 
 fn uri() -> String {
