@@ -54,6 +54,7 @@ fn bad_command_lines_and_bad_input_end_with_2() {
     folder.put("other.glb", "PK\u{3}\u{4}");
     folder.put("nan.obj", "v 0 0 0\nv 1 0 0\nv 0 1 nan\nf 1 2 3\n");
     folder.put("broken.obj", "v 0 0 0\nf 1 2 3\n");
+    folder.put("named.toml", "model = \"good.obj\"\n");
     folder.put("broken.toml", "generator = \"box\"\nsamples = 5\n");
     for (line, expected) in [
         ("", "Usage: sightlines"),
@@ -78,6 +79,10 @@ fn bad_command_lines_and_bad_input_end_with_2() {
         ("shadows good.obj --light-size nan", "light size: NaN is out of range"),
         ("shadows good.obj --up x", "invalid value 'x'"),
         ("shadows good.obj -o good.obj", "good.obj: the file is read, or is the target of another result"),
+        (
+            "shadows --scene-file named.toml -o good.obj",
+            "good.obj: the file is read, or is the target of another result",
+        ),
         ("shadows --scene box -o a --exr ./a", "./a: the file is read, or is the target of another result"),
         ("shadows good.obj --backend cpu --adapter llvmpipe", "--adapter: the interpreter has none"),
         ("shadows good.obj --backend wgpu --threads 2", "--threads: only the interpreter has threads"),
@@ -87,7 +92,7 @@ fn bad_command_lines_and_bad_input_end_with_2() {
         assert_eq!(output.status.code(), Some(2), "{line}: {message}");
         assert!(message.contains(expected), "{line}: {message}");
     }
-    let left = ["broken.obj", "broken.toml", "cut.glb", "empty.obj", "good.obj", "nan.obj", "other.glb"];
+    let left = ["broken.obj", "broken.toml", "cut.glb", "empty.obj", "good.obj", "named.toml", "nan.obj", "other.glb"];
     assert_eq!(folder.names(), left, "nothing was written");
 }
 

@@ -35,7 +35,8 @@ impl Outputs {
     }
 
     fn check(&self, args: &ShadowsArgs) -> sightlines_visibility::Result<()> {
-        let read = args.source.model.iter().chain(&args.source.scene_file);
+        let named: Vec<PathBuf> = args.source.scene_file.iter().flat_map(|file| targets::named_in(file)).collect();
+        let read = args.source.model.iter().chain(&args.source.scene_file).chain(&named);
         targets::check(read.map(PathBuf::as_path), self.paths())
     }
 

@@ -1,5 +1,6 @@
 //! Files that a command is to write: refused before the work where they cannot be, numbered where there are several.
 
+use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -21,6 +22,23 @@ pub(crate) fn check<'a>(
         taken.push(real(path));
     }
     Ok(())
+}
+
+/// The files that a scene file may read, which has been read already: every text in it, as a path beside it.
+pub(crate) fn named_in(scene_file: &Path) -> Vec<PathBuf> {
+    let text = fs::read_to_string(scene_file).unwrap_or_default();
+    let mut values: Vec<toml::Value> =
+        text.parse::<toml::Table>().unwrap_or_default().into_iter().map(|(_, v)| v).collect();
+    let mut named = Vec::new();
+    while let Some(value) = values.pop() {
+        match value {
+            toml::Value::String(name) => named.push(scene_file.with_file_name(name)),
+            toml::Value::Array(inner) => values.extend(inner),
+            toml::Value::Table(inner) => values.extend(inner.into_iter().map(|(_, value)| value)),
+            _ => {}
+        }
+    }
+    named
 }
 
 /// A path by which a file is known whatever name it is given, whether it is there or not.
