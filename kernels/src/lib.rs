@@ -13,6 +13,7 @@ use std::sync::Arc;
 use sightlines_backend::{Define, Kernel, Program, Result};
 
 pub mod backprojection;
+pub mod depth_bounds;
 pub mod depth_map;
 pub mod exact;
 pub mod field;
@@ -71,6 +72,7 @@ macro_rules! package {
 package! {
     kernels:
         backprojection,
+        depth_bounds,
         depth_map,
         exact,
         half_planes,

@@ -1,10 +1,12 @@
 //! Counts of both methods against a count of every pixel of the raster's oracle, which asks every triangle.
 
+use glam::UVec4;
+use sightlines_backend::{Backend, Job};
 use sightlines_backend_cpu::{Config, CpuBackend};
 use sightlines_kernels::item_histogram::Order;
 use sightlines_kernels::raster::oracle::{self, pictures};
 use sightlines_kernels::raster::{Faces, Ids, NOTHING, Picture};
-use sightlines_visibility::queries::{Answer, Granularity, Method, Stage, bounds, query};
+use sightlines_visibility::queries::{Answer, Granularity, Method, Queries, Stage, bounds, query};
 use sightlines_visibility::scene::frame::{Frame, Snapped};
 use sightlines_visibility::scene::{Camera, World, crowd, generate_world};
 
@@ -145,4 +147,42 @@ fn limits_are_named_with_what_to_do() {
     let many = World { instances: (0..2001).map(|i| world.instances[i % 40 + 1].clone()).collect(), ..world.clone() };
     let many = Stage::of(&many, frame).unwrap();
     assert!(refused(&many, Method::SAT, 0).contains("2001 instances, at most 2000 have regions"));
+}
+
+#[test]
+fn rectangles_of_one_item_and_weights_are_those_of_every_pixel() {
+    let world = crowd(40);
+    let frame = frame(&world, &world.cameras[0], 96, 64);
+    let stage = Stage::of(&world, frame).unwrap();
+    let shown = shown(&world, &frame);
+    let queries = Queries::new().unwrap();
+    let mut job = Job::new();
+    let drawn = stage.record(&queries.raster, &mut job).unwrap();
+    let rectangles = [[0, 0, 96, 64], [10, 20, 50, 40], [95, 63, 96, 64], [7, 7, 7, 9]].map(UVec4::from);
+    let sums: Vec<_> =
+        [0, 17].map(|item| queries.record_rectangles(&mut job, &drawn, item, &rectangles).unwrap()).into();
+    let weights: Vec<u32> = (0..96 * 64).map(|pixel| pixel % 251).collect();
+    let weighed = job.slice("weights", &weights);
+    let weighed = queries.record_weighted(&mut job, &drawn, weighed, 1).unwrap();
+    for buffer in sums.iter().chain([&weighed.totals, &weighed.tiles]) {
+        job.read("words", buffer.id());
+    }
+    let outputs = backend().run(&job).unwrap();
+    let words =
+        |output: usize| outputs[output].as_chunks().0.iter().map(|b| u32::from_le_bytes(*b)).collect::<Vec<_>>();
+    for (output, item) in [(0, 0), (1, 17)] {
+        let inside = |r: &UVec4, pixel: u32| {
+            (r.x..r.z).contains(&(pixel % 96)) && (r.y..r.w).contains(&(pixel / 96)) && shown[pixel as usize] == item
+        };
+        let expected = rectangles.iter().map(|r| (0..96 * 64).filter(|pixel| inside(r, *pixel)).count() as u32);
+        assert_eq!(words(output), expected.collect::<Vec<_>>(), "item {item}");
+    }
+    let mut expected = vec![0; 41];
+    shown
+        .iter()
+        .zip(&weights)
+        .filter(|(item, _)| **item != NOTHING)
+        .for_each(|(item, w)| expected[*item as usize] += w);
+    assert_eq!(words(2), expected);
+    assert_eq!(words(3).chunks(4).map(|tiles| tiles.iter().sum::<u32>()).collect::<Vec<_>>(), expected);
 }

@@ -1,5 +1,7 @@
 //! Running a query to its end and reading it back, with what it cost.
 
+use std::ops::AddAssign;
+
 use sightlines_backend::host::Buffer;
 use sightlines_backend::{Backend, Job, Session};
 
@@ -15,6 +17,18 @@ pub struct Spent {
     pub lane_ops: Option<u64>,
     /// Semantic costs, from machines that are told to count them.
     pub counts: Option<sightlines_backend::Counts>,
+}
+
+impl AddAssign for Spent {
+    /// What one of the two did not count stays uncounted.
+    fn add_assign(&mut self, more: Spent) {
+        self.dispatches += more.dispatches;
+        self.lane_ops = self.lane_ops.zip(more.lane_ops).map(|(sum, more)| sum + more);
+        self.counts = self.counts.zip(more.counts).map(|(mut sum, more)| {
+            sum += more;
+            sum
+        });
+    }
 }
 
 /// What a query cost.
@@ -87,6 +101,32 @@ pub fn query(
     let count = run.submit(&job, boundary..job.recordings.len(), &mut |done| progress(done as f32 / all))?;
     let bytes = job.buffers.iter().map(|buffer| buffer.size).sum();
     run.answer(stage, &drawn, &counts, method, Cost { draw, count, bytes })
+}
+
+/// A picture of a stage.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Painted {
+    /// Depth of every pixel.
+    pub depths: Vec<u32>,
+    /// The instance that every pixel shows, by its place in the world.
+    pub instances: Vec<Option<usize>>,
+    /// What it took.
+    pub draw: Spent,
+}
+
+/// Draws a stage and reads its picture.
+///
+/// # Errors
+///
+/// Whatever the backend refuses.
+pub fn draw(backend: &dyn Backend, stage: &Stage) -> Result<Painted> {
+    let mut job = Job::new();
+    let drawn = stage.record(&Queries::new()?.raster, &mut job)?;
+    let mut run = Run::open(backend, &job)?;
+    let draw = run.submit(&job, 0..job.recordings.len(), &mut |_| ())?;
+    let instance = |word: u32| stage.items.get(drawn.item(word) as usize).map(|item| item.instance);
+    let instances = run.read(drawn.words)?.into_iter().map(instance).collect();
+    Ok(Painted { depths: run.read(drawn.depth)?, instances, draw })
 }
 
 /// A job on a machine, submitted in parts.

@@ -5,7 +5,7 @@
 //! near plane is bounded by the whole picture, since cut edges project elsewhere.
 
 use glam::{IVec2, IVec4, UVec4};
-use sightlines_kernels::raster::{CLIP, Placement, View};
+use sightlines_kernels::raster::{CLIP, Picture, Placement, View};
 use sightlines_kernels::region_sets::CORNERS;
 
 use super::stage::{Batch, Stage};
@@ -61,7 +61,7 @@ pub fn of_instance(view: View, placement: &Placement, vertices: &[[i32; 3]]) -> 
     match (in_front, all.crosses) {
         (false, _) => Bounds::EMPTY,
         (true, false) => all.bounds(view),
-        (true, true) => Bounds::whole(view),
+        (true, true) => Bounds::whole(view.picture),
     }
 }
 
@@ -83,8 +83,8 @@ impl Bounds {
     pub const EMPTY: Bounds =
         Bounds { rectangle: UVec4::ZERO, outline: [IVec2::ZERO; CORNERS as usize], nearest: u32::MAX };
 
-    fn whole(view: View) -> Self {
-        let [width, height] = [view.picture.width, view.picture.height];
+    /// Of anything in the picture.
+    pub fn whole(Picture { width, height }: Picture) -> Self {
         Bounds {
             rectangle: UVec4::new(0, 0, width, height),
             outline: box_outline([0, 0, i64::from(width), i64::from(height)]),

@@ -19,6 +19,21 @@ pub(super) fn record(queries: &Queries, job: &mut Job, drawn: &Drawn, order: Ord
     counts(queries, job, drawn.items, depth, tiles)
 }
 
+pub(super) fn record_weighted(
+    queries: &Queries,
+    job: &mut Job,
+    drawn: &Drawn,
+    weights: Buffer<[u32]>,
+    depth: u32,
+) -> Result<Counts> {
+    let bins = bins(drawn.items, depth)?;
+    let labels = labels(queries, job, drawn, depth)?;
+    let tiles = job.zeroed("tile weights", u64::from(bins.max(1)));
+    let pixels = drawn.picture.pixels();
+    queries.histogram.record_weights(job, Order::Memory, (pixels, [labels, weights]), (bins, tiles))?;
+    counts(queries, job, drawn.items, depth, tiles)
+}
+
 /// The mip levels of a histogram of items and tiles, and its last, one word an item.
 pub(super) fn counts(queries: &Queries, job: &mut Job, items: u32, depth: u32, tiles: Buffer<[u32]>) -> Result<Counts> {
     let levels = if items == 0 { Vec::new() } else { queries.histogram.record_mips(job, depth, items, tiles)? };
@@ -42,10 +57,21 @@ pub(super) fn bins(items: u32, depth: u32) -> Result<u32> {
 
 /// The bin of every pixel; at depth 0 the number of its item.
 pub(super) fn labels(queries: &Queries, job: &mut Job, drawn: &Drawn, depth: u32) -> Result<Buffer<[u32]>> {
+    let bases: Vec<u32> = drawn.firsts.iter().map(|first| first << (2 * depth)).collect();
+    labels_from(queries, job, drawn, depth, &bases)
+}
+
+/// The bin of every pixel, from the first bin of every batch.
+pub(super) fn labels_from(
+    queries: &Queries,
+    job: &mut Job,
+    drawn: &Drawn,
+    depth: u32,
+    bases: &[u32],
+) -> Result<Buffer<[u32]>> {
     let width = drawn.picture.width;
     let tiling = Tiling { width, height: drawn.picture.height, depth };
-    let bases: Vec<u32> = drawn.firsts.iter().map(|first| first << (2 * depth)).collect();
-    let base = job.slice("first bins", if bases.is_empty() { &[0] } else { &bases[..] });
+    let base = job.slice("first bins", if bases.is_empty() { &[0] } else { bases });
     let labels = job.zeroed("bins of pixels", u64::from(drawn.picture.pixels()));
     queries.histogram.record_labels(job, tiling, (drawn.words, INSTANCE_BITS), base, labels)?;
     Ok(labels)

@@ -10,13 +10,18 @@
 //! | [`Method::Sat`] | never fewer than are visible | up to 2,000 instances | a table a channel; 4 look-ups a region |
 
 mod answer;
+pub mod baselines;
 pub mod bounds;
+pub mod detail;
+pub mod displacement;
 pub mod files;
 mod hib;
 mod sat;
+pub mod shadow_volumes;
 pub mod share;
 mod stage;
 
+use glam::UVec4;
 use sightlines_backend::Job;
 use sightlines_backend::host::Buffer;
 use sightlines_kernels::item_histogram::{ItemHistogram, Order};
@@ -26,7 +31,7 @@ use sightlines_kernels::sat::Sat;
 
 use crate::error::Result;
 
-pub use answer::{Answer, Cost, Spent, query};
+pub use answer::{Answer, Cost, Painted, Spent, draw, query};
 pub use stage::{Drawn, Granularity, Item, Stage};
 
 /// How pixels are counted.
@@ -118,5 +123,32 @@ impl Queries {
             Method::Hib { order } => hib::record(self, job, drawn, order, depth),
             Method::Sat { channels, limit } => sat::record(self, job, stage, drawn, channels, limit, depth),
         }
+    }
+
+    /// Counts the pixels of one item in half-open rectangles (x0, y0, x1, y1) of the picture, a word each, by one table:
+    /// exact, since a single item shares its channel with none.
+    ///
+    /// # Errors
+    ///
+    /// A picture whose width is no multiple of 4.
+    pub fn record_rectangles(
+        &self,
+        job: &mut Job,
+        drawn: &Drawn,
+        item: u32,
+        rectangles: &[UVec4],
+    ) -> Result<Buffer<[u32]>> {
+        sat::record_rectangles(self, job, drawn, item, rectangles)
+    }
+
+    /// Adds the weights of all pixels of each item, modulo 2^32, in the picture and in its 2^depth by 2^depth tiles:
+    /// `weights` has a word a pixel, as a picture of how much a blocker lets through or a viewer cares. By the item
+    /// buffer, so exact.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Queries::record`], and weights that are not one a pixel.
+    pub fn record_weighted(&self, job: &mut Job, drawn: &Drawn, weights: Buffer<[u32]>, depth: u32) -> Result<Counts> {
+        hib::record_weighted(self, job, drawn, weights, depth)
     }
 }

@@ -7,6 +7,7 @@
 use glam::{IVec2, UVec4};
 use sightlines_backend::Job;
 use sightlines_backend::host::Buffer;
+use sightlines_kernels::raster::Picture;
 use sightlines_kernels::region_sets::{MAX_CHANNELS, MAX_MET, MAX_OBJECTS, MAX_REGIONS, Regions, Shape};
 use sightlines_kernels::sat::{Extent, MAX_WORDS};
 
@@ -37,6 +38,31 @@ pub(super) fn record(
     sum_channels(queries, job, &regions, items, shape, &sums)?;
     let tiles = if depth == 0 { totals } else { gather(job, &sums[1..], drawn.items) };
     Ok(Counts { items: drawn.items, depth, totals, tiles, item_step: 1, tile_step: drawn.items })
+}
+
+pub(super) fn record_rectangles(
+    queries: &Queries,
+    job: &mut Job,
+    drawn: &Drawn,
+    item: u32,
+    rectangles: &[UVec4],
+) -> Result<Buffer<[u32]>> {
+    let Picture { width, height } = drawn.picture;
+    check_width(width)?;
+    let shape = Shape { objects: 1, channels: 1, limit: 1, met: 1, width, height };
+    let regions = regions(queries, job, shape, &[Bounds::whole(drawn.picture)])?;
+    // The item becomes number 0, and every other number at least 1.
+    let bases: Vec<u32> = drawn.firsts.iter().map(|first| first.wrapping_sub(item)).collect();
+    let items = hib::labels_from(queries, job, drawn, 0, &bases)?;
+    let extent = Extent { width, height };
+    let [image, table] = ["channel", "table"].map(|name| job.zeroed(name, extent.pixels()));
+    queries.region_sets.record_paint(job, &regions, 0..1, items, image)?;
+    queries.sat.record(job, (extent, 1), image, table)?;
+    let count = rectangles.len() as u32;
+    let asked = job.slice("query rectangles", if rectangles.is_empty() { &[UVec4::ZERO] } else { rectangles });
+    let sums = job.zeroed("sums", u64::from(count.max(1)));
+    queries.sat.record_rectangles(job, (extent, 1), table, (count, asked), sums)?;
+    Ok(sums)
 }
 
 /// A rectangle of the picture, once an item, and where the pixels of each item in it go.
@@ -126,10 +152,15 @@ fn shape(stage: &Stage, drawn: &Drawn, channels: u32, limit: Option<u32>) -> Res
         return Err(place().error("0 regions", format!("choose 1 to {MAX_REGIONS}")));
     }
     let (width, height) = (drawn.picture.width, drawn.picture.height);
-    if width % 4 != 0 {
-        let what = format!("a picture {width} pixels wide, and tables sum four columns at once");
-        return Err(place().error(what, "choose a width that is a multiple of 4"));
-    }
+    check_width(width)?;
     let limit = limit.unwrap_or(MAX_REGIONS).clamp(1, MAX_REGIONS);
     Ok(Shape { objects, channels, limit, met: MAX_MET, width, height })
+}
+
+fn check_width(width: u32) -> Result<()> {
+    if width.is_multiple_of(4) {
+        return Ok(());
+    }
+    let what = format!("a picture {width} pixels wide, and tables sum four columns at once");
+    Err(Place::default().element("method sat").error(what, "choose a width that is a multiple of 4"))
 }

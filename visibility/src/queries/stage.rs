@@ -196,7 +196,7 @@ impl Stage {
 }
 
 impl Batch {
-    fn upload(&self, job: &mut Job) -> raster::Mesh {
+    pub(super) fn upload(&self, job: &mut Job) -> raster::Mesh {
         let rows: Vec<IVec4> = self.placements.iter().flat_map(|placement| placement.rows).collect();
         raster::Mesh {
             vertices: job.slice("vertices", self.vertices.as_flattened()),

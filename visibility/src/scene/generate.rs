@@ -12,7 +12,7 @@ mod shapes;
 use super::{Mesh, Scene, World};
 
 pub use bumpy::{MAX_BUMPY, bumpy_sphere, trio};
-pub use crowd::{MAX_BALLS, creature_in_hall, crowd};
+pub use crowd::{MAX_BALLS, ball_levels, creature_field, creature_in_hall, crowd};
 pub(super) use moving::{cloth, skeleton};
 
 /// A scene by name.

@@ -25,7 +25,8 @@ use crate::vector::{self, Vector, add, cross, scale, sub};
 pub use affine::Affine;
 pub use camera::{Camera, Lens};
 pub use generate::{
-    Generator, MAX_BALLS, MAX_BUMPY, bumpy_sphere, creature_in_hall, crowd, generate, generate_world, trio,
+    Generator, MAX_BALLS, MAX_BUMPY, ball_levels, bumpy_sphere, creature_field, creature_in_hall, crowd, generate,
+    generate_world, trio,
 };
 pub use gltf::Animated;
 pub use load::{load, load_world, read_text};

@@ -53,6 +53,34 @@ fn cameras<const N: usize>(stands: [(&str, Vector, Vector); N]) -> Vec<Camera> {
     stands.into_iter().filter_map(|s| stand(s).ok()).collect()
 }
 
+/// Coarser balls for those of a [`crowd`]: 168 and 48 triangles.
+pub fn ball_levels() -> [Mesh; 2] {
+    [(7, 12), (3, 8)].map(|(rings, sides)| {
+        let mut mesh = Mesh::named(format!("ball of {} triangles", 2 * rings * sides));
+        for ring in 0..rings {
+            let (s, c) = libm::sincos(PI * f64::from(ring + 1) / f64::from(rings + 1));
+            mesh.vertices((0..sides).map(|i| {
+                let (y, x) = libm::sincos(TAU * f64::from(i) / f64::from(sides));
+                [0.97 * s * x, 0.97 * s * y, -0.97 * c]
+            }));
+        }
+        let [low, high] = [-1.0, 1.0].map(|z| mesh.vertices([[0.0, 0.0, z]]));
+        let at = |ring: u32, i: u32| ring * sides + i % sides;
+        for i in 0..sides {
+            for ring in 0..rings - 1 {
+                mesh.quad([at(ring, i), at(ring, i + 1), at(ring + 1, i + 1), at(ring + 1, i)]);
+            }
+            mesh.triangles.extend([[low, at(0, i + 1), at(0, i)], [high, at(rings - 1, i), at(rings - 1, i + 1)]]);
+        }
+        mesh
+    })
+}
+
+/// The height field of the creature's skin: waves along all axes, from 0 to 1.
+pub fn creature_field([x, y, z]: [f64; 3]) -> f64 {
+    0.5 + 0.5 * libm::sin(23.0 * x) * libm::sin(29.0 * y + 1.0) * libm::sin(31.0 * z + 2.0)
+}
+
 /// Rings of the creature and vertices of a ring: 2 * 36 * 98 + 2 * 36 triangles.
 const RINGS: u32 = 99;
 const SIDES: u32 = 36;
@@ -83,7 +111,7 @@ pub fn creature_in_hall() -> World {
         meshes,
         instances,
         cameras: cameras([
-            ("full", [0.0, 2.2, 2.6], [0.0, 0.4, 0.0]),
+            ("full", [0.0, 5.2, 1.2], [0.0, 0.4, 0.0]),
             ("partial", [1.0, 1.6, 7.5], [0.0, 0.5, 0.0]),
             ("occluded", [0.0, 2.0, 14.0], [0.0, 0.5, 0.0]),
         ]),
