@@ -121,6 +121,15 @@ pub enum Work {
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
     },
+    /// Visibility queries: kernels, the tables of the paper, targets, baselines.
+    Queries {
+        /// Measure little: for a look, not for numbers that are kept.
+        #[arg(long)]
+        quick: bool,
+        /// Folder of the results [default: target/bench of the workspace].
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+    },
     /// Bake one case, for the parent process.
     #[command(hide = true)]
     Shadow {
@@ -172,6 +181,7 @@ mod tests {
             parse("shadows palms --quick --embree --runs 0").unwrap().command,
             Some(Work::Shadows { quick: true, embree: true, runs: Some(0), .. })
         ));
+        assert!(matches!(parse("queries --quick").unwrap().command, Some(Work::Queries { quick: true, .. })));
         assert!(matches!(parse("worker").unwrap().command, Some(Work::Worker)));
     }
 }

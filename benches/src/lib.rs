@@ -35,6 +35,7 @@ mod html;
 pub mod instructions;
 pub mod measure;
 pub mod micro;
+pub mod queries;
 pub mod report;
 pub mod run;
 pub mod shadows;

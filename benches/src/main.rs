@@ -8,7 +8,7 @@ use clap::Parser;
 use sightlines_benches::cli::{Cli, Work};
 use sightlines_benches::error::{EXIT_OK, Error, Result};
 use sightlines_benches::shadows::Size;
-use sightlines_benches::{instructions, run, shadows, worker};
+use sightlines_benches::{instructions, queries, run, shadows, worker};
 
 fn main() -> ExitCode {
     match start(&Cli::parse()) {
@@ -31,6 +31,10 @@ fn start(cli: &Cli) -> Result<u8> {
             let (exe, folder) = (own_path()?, run::folder(out.as_deref())?);
             let cases = shadows::cases(size, filter.as_ref());
             shadows::run(&exe, &cases, *embree, &folder, &mut io::stdout(), &mut io::stderr())
+        }
+        Some(Work::Queries { quick, out }) => {
+            let size = if *quick { queries::Size::QUICK } else { queries::Size::FULL };
+            queries::run(size, &run::folder(out.as_deref())?, &mut io::stdout())
         }
         Some(Work::Shadow { case, tracer }) => {
             shadows::serve(case, tracer.as_deref(), &mut io::stdout()).map(|()| EXIT_OK)

@@ -32,6 +32,7 @@ use sightlines_kernels::sat::Sat;
 use crate::error::Result;
 
 pub use answer::{Answer, Cost, Painted, Spent, draw, query};
+pub use sat::conflicts;
 pub use stage::{Drawn, Granularity, Item, Stage};
 
 /// How pixels are counted.

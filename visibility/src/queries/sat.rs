@@ -5,12 +5,13 @@
 //! colouring and the division run on the device. Channels are painted and summed together, as many as a binding holds.
 
 use glam::{IVec2, UVec4};
-use sightlines_backend::Job;
 use sightlines_backend::host::Buffer;
+use sightlines_backend::{Backend, Job};
 use sightlines_kernels::raster::Picture;
-use sightlines_kernels::region_sets::{MAX_CHANNELS, MAX_MET, MAX_OBJECTS, MAX_REGIONS, Regions, Shape};
+use sightlines_kernels::region_sets::{MAX_CHANNELS, MAX_MET, MAX_OBJECTS, MAX_REGIONS, NONE, Regions, Shape};
 use sightlines_kernels::sat::{Extent, MAX_WORDS};
 
+use super::answer::Run;
 use super::bounds::{self, Bounds};
 use super::{Counts, Drawn, Queries, Stage, hib};
 use crate::error::{Place, Result};
@@ -24,7 +25,7 @@ pub(super) fn record(
     limit: Option<u32>,
     depth: u32,
 ) -> Result<Counts> {
-    let shape = shape(stage, drawn, channels, limit)?;
+    let shape = shape(stage, drawn.picture, channels, limit)?;
     hib::bins(drawn.items, depth)?;
     let regions = regions(queries, job, shape, &bounds::of(stage))?;
     let items = hib::labels(queries, job, drawn, 0)?;
@@ -63,6 +64,21 @@ pub(super) fn record_rectangles(
     let sums = job.zeroed("sums", u64::from(count.max(1)));
     queries.sat.record_rectangles(job, (extent, 1), table, (count, asked), sums)?;
     Ok(sums)
+}
+
+/// Number of instances of a stage that find no channel of their own, and are divided.
+///
+/// # Errors
+///
+/// Those of counting by tables.
+pub fn conflicts(backend: &dyn Backend, stage: &Stage, channels: u32) -> Result<usize> {
+    let queries = Queries::new()?;
+    let shape = shape(stage, stage.frame.view.picture, channels, None)?;
+    let mut job = Job::new();
+    let channel_of = regions(&queries, &mut job, shape, &bounds::of(stage))?.channel_of;
+    let mut run = Run::open(backend, &job)?;
+    run.submit(&job, 0..job.recordings.len(), &mut |_| ())?;
+    Ok(run.read(channel_of)?.iter().take(stage.items.len()).filter(|channel| **channel == NONE).count())
 }
 
 /// A rectangle of the picture, once an item, and where the pixels of each item in it go.
@@ -134,8 +150,8 @@ fn tiles(shape: Shape, depth: u32) -> impl Iterator<Item = UVec4> {
 }
 
 /// The shape of the regions, and why there is none.
-fn shape(stage: &Stage, drawn: &Drawn, channels: u32, limit: Option<u32>) -> Result<Shape> {
-    let objects = drawn.items;
+fn shape(stage: &Stage, picture: Picture, channels: u32, limit: Option<u32>) -> Result<Shape> {
+    let objects = stage.items.len() as u32;
     let place = || Place::default().element("method sat");
     if stage.instances() != stage.items.len() {
         let what = "tables count instances, and the items are clusters";
@@ -151,7 +167,7 @@ fn shape(stage: &Stage, drawn: &Drawn, channels: u32, limit: Option<u32>) -> Res
     if limit == Some(0) {
         return Err(place().error("0 regions", format!("choose 1 to {MAX_REGIONS}")));
     }
-    let (width, height) = (drawn.picture.width, drawn.picture.height);
+    let Picture { width, height } = picture;
     check_width(width)?;
     let limit = limit.unwrap_or(MAX_REGIONS).clamp(1, MAX_REGIONS);
     Ok(Shape { objects, channels, limit, met: MAX_MET, width, height })
