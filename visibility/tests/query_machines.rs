@@ -21,9 +21,10 @@ use sightlines_visibility::queries::{Granularity, Method, Stage, query, share};
 use sightlines_visibility::scene::frame::Frame;
 use sightlines_visibility::scene::{creature_field, creature_in_hall, crowd};
 
+type Ask = fn(&dyn Backend) -> Result<Vec<u32>>;
+
 /// What a machine is asked, by name.
-const ASKED: [(&str, fn(&dyn Backend) -> Result<Vec<u32>>); 3] =
-    [("counts", counts), ("displacement", displacement), ("baselines", baselines)];
+const ASKED: [(&str, Ask); 3] = [("counts", counts), ("displacement", displacement), ("baselines", baselines)];
 
 /// Totals, tiles, pixels and depths by both methods and orders, clusters, and what instances cover alone.
 fn counts(backend: &dyn Backend) -> Result<Vec<u32>> {
