@@ -53,12 +53,17 @@ fn floats(values: impl Iterator<Item = [f32; 3]>) -> Vec<u8> {
 /// The file's JSON: a node and a mesh for each part that has triangles, over four views of one buffer.
 fn describe(surface: &Surface, sizes: [usize; 4]) -> Value {
     let mut offset = 0;
-    let views = sizes.map(|size| {
-        let target = if offset == sizes[..3].iter().sum::<usize>() { 34_963 } else { 34_962 };
-        let view = json!({"buffer": 0, "byteOffset": offset, "byteLength": size, "target": target});
+    // Bytes of a vertex; indices have no stride.
+    let views = [Some(12), Some(12), Some(8), None].into_iter().zip(sizes).map(|(stride, size)| {
+        let mut view = json!({"buffer": 0, "byteOffset": offset, "byteLength": size});
+        view["target"] = json!(if stride.is_some() { 34_962 } else { 34_963 });
+        if let Some(stride) = stride {
+            view["byteStride"] = json!(stride);
+        }
         offset += size;
         view
     });
+    let views: Vec<Value> = views.collect();
     let (mut accessors, mut meshes, mut nodes) = (Vec::new(), Vec::new(), Vec::new());
     let mut corner = 0;
     for part in surface.parts.iter().filter(|part| !part.triangles.is_empty()) {
@@ -87,7 +92,11 @@ fn describe(surface: &Surface, sizes: [usize; 4]) -> Value {
         "scenes": [{"nodes": (0..nodes.len()).collect::<Vec<_>>()}],
         "nodes": nodes,
         "meshes": meshes,
-        "materials": [{"pbrMetallicRoughness": {"metallicFactor": 0.0}, "extensions": {"KHR_materials_unlit": {}}}],
+        "materials": [{
+            "pbrMetallicRoughness": {"metallicFactor": 0.0},
+            "extensions": {"KHR_materials_unlit": {}},
+            "doubleSided": surface.findings.open_edges > 0,
+        }],
         "accessors": accessors,
         "bufferViews": views,
         "buffers": [{"byteLength": offset}],

@@ -36,6 +36,8 @@ fn shaded_scenes_are_read_again_as_they_were() {
     let document = gltf::Gltf::open(&glb).unwrap();
     let colour =
         document.meshes().next().unwrap().primitives().next().unwrap().get(&gltf::Semantic::Colors(0)).unwrap();
+    let strides: Vec<Option<usize>> = document.views().map(|view| view.stride()).collect();
+    assert_eq!(strides, [Some(12), Some(12), Some(8), None], "accessors that share a view need a stride");
     assert!(colour.normalized() && colour.data_type() == gltf::accessor::DataType::U16);
     let at = colour.view().unwrap().offset() + colour.offset();
     let blob = document.blob.as_ref().unwrap();
