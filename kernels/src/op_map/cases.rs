@@ -1,5 +1,6 @@
 //! Every byte of a table, words of every kind through other operations, and half-planes to triangles to hidden sets, as the
-//! paper goes: three half-planes by AND, triangles by OR, each equal to the grid's definition.
+//! paper goes: three half-planes by AND, triangles by OR, each equal to the grid's definition. A table has 16 MiB, so every
+//! case is of real size.
 
 use sightlines_backend::host::Buffer;
 use sightlines_backend::{Case, Expected, Job, Result, Size};
@@ -56,7 +57,7 @@ fn words(name: &str, operation: Truth, count: usize) -> Case {
         vec![Expected::Whole((0..count).map(|w| oracle::combine(operation, a[w], b[w], c[w])).collect())]
     };
     let probes = [0, 1, 2, 255, 256].into_iter().filter(|probe| (*probe as usize) < count);
-    Case::new(name, Size::Small, job, expected).probes(probes)
+    Case::new(name, Size::Real, job, expected).probes(probes)
 }
 
 fn table(name: &str, operation: Truth) -> Case {
@@ -132,7 +133,7 @@ fn triangles() -> Case {
         sets.push(hidden_by(&occluders));
         sets.into_iter().map(Expected::Whole).collect()
     };
-    Case::new("triangles", Size::Small, job, expected).probes(vec![0, 400, 1200, 2463])
+    Case::new("triangles", Size::Real, job, expected).probes(vec![0, 400, 1200, 2463])
 }
 
 fn joined(kernel: &OpMap, job: &mut Job, table: Buffer<[u32]>, masks: [Buffer<[u32]>; 3]) -> Result<Buffer<[u32]>> {
