@@ -35,6 +35,7 @@ pub mod random;
 pub mod raster;
 pub mod region_sets;
 pub mod row_span;
+pub mod sample_planes;
 pub mod sat;
 pub mod scan;
 pub mod screen;
@@ -88,6 +89,7 @@ package! {
         raster,
         region_sets,
         row_span,
+        sample_planes,
         sat,
         scan,
         vertex_visibility;

@@ -75,16 +75,33 @@ pub fn write_png(path: &Path, share: &Share, depth: Depth) -> Result<()> {
             (png::BitDepth::Sixteen, share.scaled(0xFFFF).flat_map(|v| (v as u16).to_be_bytes()).collect())
         }
     };
+    write_grey(path, [share.resolution; 2], depth, &bytes)
+}
+
+/// Writes pictures of one receiver side by side, as [`write_png`] writes one with 8 bits.
+///
+/// # Errors
+///
+/// A file that cannot be written; then nothing of it is left.
+pub fn write_panels(path: &Path, panels: &[Share]) -> Result<()> {
+    let side = panels.first().map_or(0, |share| share.resolution);
+    let pictures: Vec<Vec<u8>> = panels.iter().map(|share| share.scaled(0xFF).map(|v| v as u8).collect()).collect();
+    let row = |y: usize| pictures.iter().flat_map(move |picture| &picture[y * side as usize..(y + 1) * side as usize]);
+    let bytes: Vec<u8> = (0..side as usize).flat_map(row).copied().collect();
+    write_grey(path, [side * panels.len() as u32, side], png::BitDepth::Eight, &bytes)
+}
+
+fn write_grey(path: &Path, [width, height]: [u32; 2], depth: png::BitDepth, bytes: &[u8]) -> Result<()> {
     let failed = |e| match e {
         png::EncodingError::IoError(e) => e,
         other => io::Error::other(other),
     };
     output::write(path, |out| {
-        let mut encoder = png::Encoder::new(out, share.resolution, share.resolution);
+        let mut encoder = png::Encoder::new(out, width, height);
         encoder.set_color(png::ColorType::Grayscale);
         encoder.set_depth(depth);
         let mut writer = encoder.write_header().map_err(failed)?;
-        writer.write_image_data(&bytes).map_err(failed)?;
+        writer.write_image_data(bytes).map_err(failed)?;
         writer.finish().map_err(failed)
     })
 }

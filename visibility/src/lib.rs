@@ -6,6 +6,7 @@
 //! | [`setup`] | where light and receiver stand: defaults, and scene files |
 //! | [`ambient`] | ambient occlusion and light from an environment, at vertices |
 //! | [`shadows`] | soft shadows of area lights: hidden-sample sets |
+//! | [`compare`] | other methods for the same soft shadow, in the same run |
 //! | [`queries`] | granular visibility queries: pixels seen of every instance, in every tile |
 //! | [`image`] | the visible share as PNG and EXR |
 //! | [`sets`] | the sets in a file |
@@ -17,6 +18,7 @@
 //! neither a backend nor a command line.
 
 pub mod ambient;
+pub mod compare;
 pub mod error;
 pub mod image;
 mod input;

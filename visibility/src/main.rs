@@ -16,6 +16,7 @@ fn main() -> ExitCode {
     let out = &mut program::Report::new();
     let done = match Cli::parse().command {
         Command::Shadows(args) => program::shadows::run(&args, out),
+        Command::Compare(args) => program::compare::run(&args, out),
         Command::Queries(args) => program::queries::run(&args, out),
         Command::Ambient(args) => program::ambient::run(&args, out),
     };

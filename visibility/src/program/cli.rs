@@ -8,6 +8,7 @@ use sightlines_visibility::scene::Generator;
 use sightlines_visibility::setup::{Settings, Up};
 
 use super::ambient::{self, args::AmbientArgs};
+use super::compare::{self, CompareArgs};
 use super::effort::EffortArgs;
 use super::queries::{QUERIES_HELP, QueriesArgs};
 
@@ -53,6 +54,9 @@ pub(crate) enum Command {
     /// Bake the soft shadow of an area light.
     #[command(after_help = AFTER_HELP, after_long_help = format!("{SHADOWS_HELP}\n\n{AFTER_HELP}"))]
     Shadows(ShadowsArgs),
+    /// Bake one soft shadow by several methods, and compare.
+    #[command(after_help = AFTER_HELP, after_long_help = format!("{}\n\n{AFTER_HELP}", compare::HELP))]
+    Compare(CompareArgs),
     /// Count the pixels that are seen of every instance, and where.
     #[command(after_help = AFTER_HELP, after_long_help = format!("{QUERIES_HELP}\n\n{AFTER_HELP}"))]
     Queries(QueriesArgs),
@@ -213,6 +217,7 @@ mod tests {
             "shadows a.obj -o a.png --exr a.exr --sets a.sets --light-size 1 --resolution 64 --samples 32 --up z",
             "shadows --scene palms --backend cpu --threads 2 --bits 16 --counts",
             "shadows --scene-file a.toml --backend wgpu --adapter llvmpipe",
+            "compare --scene palms --light-size 0.1,0.4 --samples 32,64 --resolution 64 -o a.png --csv a.csv",
             "queries a.glb --camera front --camera 1,2,3/0,0,0/60 --tiles 3 --json a.json --heat a.png",
             "queries --scene crowd-100 --method sat --channels 8 --size 640x480 --path a.txt --seen a.seen",
             "queries --scene hall --camera -1,2,-3/0,0,0 --orbit 8 --clusters 4 --csv a.csv --backend cpu",
@@ -232,6 +237,8 @@ mod tests {
             "shadows a.obj --threads 0",
             "shadows a.obj --up x",
             "shadows a.obj --resolution many",
+            "compare a.obj --samples few",
+            "compare --no-projections",
             "queries",
             "queries a.obj --method zbuffer",
             "queries a.obj --size 640",

@@ -2,6 +2,7 @@
 
 pub(crate) mod ambient;
 pub(crate) mod cli;
+pub(crate) mod compare;
 mod effort;
 mod machine;
 mod progress;
@@ -17,6 +18,9 @@ pub(crate) enum Failure {
     /// A scene, a setting, a file, or the machine.
     #[error("{0}")]
     Work(#[from] sightlines_visibility::Error),
+    /// Two methods that must agree do not.
+    #[error("the methods differ in {0} bits, and should in none\n  remedy: report it, with the scene and the machine")]
+    Differ(u64),
     /// The report could not be written.
     #[error("standard output: {0}\n  remedy: name another place for the report; files named under `wrote` are whole")]
     Output(#[from] io::Error),
@@ -60,7 +64,7 @@ impl Failure {
         match self {
             Failure::Work(error) if error.is_missing_backend() => 3,
             Failure::Work(error) if error.is_bad_input() => 2,
-            Failure::Work(_) | Failure::Output(_) => 1,
+            Failure::Work(_) | Failure::Differ(_) | Failure::Output(_) => 1,
         }
     }
 }

@@ -29,13 +29,13 @@ const MOST_TRIANGLES: usize = 1 << 21;
 const MOST_ENTRIES: u64 = 1 << 25;
 
 /// What the kernels give for all receivers, in ascending x and y.
-pub(super) struct Composed {
+pub(crate) struct Composed {
     /// The sets, words of a receiver side by side.
-    pub(super) masks: Vec<u32>,
+    pub(crate) masks: Vec<u32>,
     /// Visible samples of each receiver.
-    pub(super) visible: Vec<u32>,
+    pub(crate) visible: Vec<u32>,
     /// What it took.
-    pub(super) work: Work,
+    pub(crate) work: Work,
 }
 
 /// Runs the kernels, band after band.
@@ -174,7 +174,7 @@ fn regions(backend: &dyn Backend, scene: &Snapped, band: &Receivers, work: &mut 
 }
 
 /// Runs a job, adds its costs to `work` and gives the words of its `N` reads.
-fn run<const N: usize>(
+pub(crate) fn run<const N: usize>(
     backend: &dyn Backend,
     job: &Job,
     work: &mut Work,

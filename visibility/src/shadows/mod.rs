@@ -3,7 +3,7 @@
 //! A [`Request`] is geometry and numbers, nothing of files or defaults; a [`Bake`] is the answer, its [`Sets`] exact on the
 //! quantised scene. Bit `i % 32` of word `i / 32` of a texel is set iff sample `i` is hidden from it.
 
-mod compose;
+pub(crate) mod compose;
 pub mod cull;
 pub mod snap;
 
@@ -13,6 +13,7 @@ use sightlines_backend::{Backend, Counts};
 
 use crate::error::Result;
 use compose::Composed;
+use snap::Snapped;
 
 /// Numbers of light samples that can be baked.
 pub const SAMPLES: [u32; 6] = [32, 64, 128, 256, 512, 1024];
@@ -159,18 +160,24 @@ pub fn bake_with(
         scene.between = kept;
         work += Work { closed, culled: dropped, ..Work::default() };
     }
-    let Composed { masks, visible, work: more } = compose::bake(backend, &scene, effort.memory, progress)?;
-    work += more;
+    let mut composed = compose::bake(backend, &scene, effort.memory, progress)?;
+    composed.work += work;
+    Ok(assemble(request, &scene, composed))
+}
+
+/// What the kernels give, in the order of the image.
+pub(crate) fn assemble(request: &Request, scene: &Snapped, composed: Composed) -> Bake {
+    let Composed { masks, visible, work } = composed;
     let (words, resolution) = (scene.samples.words(), request.resolution);
     let samples_uv = (0..request.samples).map(|sample| scene.samples.at(sample)).map(|[x, y, _]| [x, y]).collect();
     let upright = |words, planes| upright(planes, words as usize, resolution as usize, scene.mirrored);
     let masks = upright(words, masks);
     let sets = Sets { resolution, samples: request.samples, words, masks, samples_uv, cell: scene.cell };
-    Ok(Bake { sets, visible: upright(1, visible), work })
+    Bake { sets, visible: upright(1, visible), work }
 }
 
 /// The sets in the order of the image, whose columns and rows may run against the grid's axes.
-fn upright(mut sets: Vec<u32>, words: usize, side: usize, [columns, rows]: [bool; 2]) -> Vec<u32> {
+pub(crate) fn upright(mut sets: Vec<u32>, words: usize, side: usize, [columns, rows]: [bool; 2]) -> Vec<u32> {
     for row in sets.chunks_mut(words * side).filter(|_| columns) {
         for column in 0..side / 2 {
             let (left, right) = row.split_at_mut((side - 1 - column) * words);
