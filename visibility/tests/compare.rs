@@ -47,7 +47,7 @@ fn errors(request: &Request) -> [u32; 3] {
 }
 
 #[test]
-fn silhouette_volumes_are_exact_for_a_convex_caster_and_too_dark_where_casters_overlap() {
+fn silhouette_volumes_are_exact_under_one_silhouette_and_too_dark_where_casters_overlap() {
     assert_eq!(errors(&request("box", 64, 64, 0.4)), [0, 0, 0]);
     assert_eq!(errors(&request("colonnade", 128, 64, 0.4)), [332, 0, 30]);
     assert_eq!(errors(&request("colonnade", 32, 32, 0.4)), [16, 0, 8]);

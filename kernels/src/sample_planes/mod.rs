@@ -113,8 +113,9 @@ impl SamplePlanes {
     }
 
     /// Adds to `counts`, a word a receiver, what silhouette volumes hide of the light: the sum, over the triangles that
-    /// face its [`centre`] and over all samples that they hide, of 1 where they face the sample too, else of -1. Of a
-    /// closed mesh that turns counter-clockwise outside and hides nothing twice this is the number of hidden samples.
+    /// face its [`centre`] and over all samples that they hide, of 1 where they face the sample too, else of -1. This is the
+    /// number of hidden samples for closed meshes, counter-clockwise outside, that show all samples the sides that they
+    /// show the centre and of which none hides what another hides.
     pub fn record_additive(&self, job: &mut Job, scene: Scene, counts: Buffer<[u32]>) -> Result<()> {
         scene.check(1, counts.len())?;
         scene.launch(job, &self.additive, counts);
