@@ -1,12 +1,12 @@
 //! Pictures of the visible share: PNG for the eye, EXR for further work.
 //!
-//! A [`Share`] holds whole numbers, so pictures are equal wherever the sets are. Values are linear: white sees the
-//! whole light. Column and row of a pixel are those of its texel.
+//! A [`Share`] holds whole numbers, so pictures are equal wherever the sets are; a [`Picture`] holds f64 made of such by + − × ÷.
+//! Values are linear: white sees the whole light. Column and row of a pixel are those of its texel.
 
 use std::io;
 use std::path::Path;
 
-use exr::prelude::{Encoding, Image, SpecificChannels, WritableImage};
+use exr::prelude::{AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Layer, LayerAttributes, WritableImage};
 
 use crate::error::Result;
 use crate::output;
@@ -63,19 +63,65 @@ impl Share {
     }
 }
 
+/// Red, green and blue of each texel, linear.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// Texels a side.
+    pub resolution: u32,
+    /// Colours, row after row.
+    pub pixels: Vec<[f64; 3]>,
+}
+
+impl Picture {
+    /// The greatest value of any channel.
+    pub fn peak(&self) -> f64 {
+        self.pixels.as_flattened().iter().copied().fold(0.0, f64::max)
+    }
+}
+
 /// Writes a grey PNG: 0 sees nothing of the light, the largest value all of it. No gamma is applied.
 ///
 /// # Errors
 ///
 /// A file that cannot be written; then nothing of it is left.
 pub fn write_png(path: &Path, share: &Share, depth: Depth) -> Result<()> {
-    let (depth, bytes): (_, Vec<u8>) = match depth {
-        Depth::Eight => (png::BitDepth::Eight, share.scaled(0xFF).map(|v| v as u8).collect()),
-        Depth::Sixteen => {
-            (png::BitDepth::Sixteen, share.scaled(0xFFFF).flat_map(|v| (v as u16).to_be_bytes()).collect())
+    encode_png(path, share.resolution, png::ColorType::Grayscale, depth, share.scaled(depth.white()))
+}
+
+/// Writes a PNG in colour: black is 0, the largest value `white` or more. No gamma is applied.
+///
+/// # Errors
+///
+/// A file that cannot be written; then nothing of it is left.
+pub fn write_picture_png(path: &Path, picture: &Picture, white: f64, depth: Depth) -> Result<()> {
+    let most = f64::from(depth.white());
+    let part = |value: &f64| if white > 0.0 { value / white } else { 0.0 };
+    let values = picture.pixels.as_flattened().iter().map(|value| (part(value).clamp(0.0, 1.0) * most).round() as u32);
+    encode_png(path, picture.resolution, png::ColorType::Rgb, depth, values)
+}
+
+impl Depth {
+    /// The largest value.
+    fn white(self) -> u32 {
+        match self {
+            Depth::Eight => 0xFF,
+            Depth::Sixteen => 0xFFFF,
         }
+    }
+}
+
+fn encode_png(
+    path: &Path,
+    side: u32,
+    colour: png::ColorType,
+    depth: Depth,
+    values: impl Iterator<Item = u32>,
+) -> Result<()> {
+    let (depth, bytes): (_, Vec<u8>) = match depth {
+        Depth::Eight => (png::BitDepth::Eight, values.map(|v| v as u8).collect()),
+        Depth::Sixteen => (png::BitDepth::Sixteen, values.flat_map(|v| (v as u16).to_be_bytes()).collect()),
     };
-    write_grey(path, [share.resolution; 2], depth, &bytes)
+    encode_bytes(path, [side; 2], colour, depth, &bytes)
 }
 
 /// Writes pictures of one receiver side by side, as [`write_png`] writes one with 8 bits.
@@ -88,17 +134,24 @@ pub fn write_panels(path: &Path, panels: &[Share]) -> Result<()> {
     let pictures: Vec<Vec<u8>> = panels.iter().map(|share| share.scaled(0xFF).map(|v| v as u8).collect()).collect();
     let row = |y: usize| pictures.iter().flat_map(move |picture| &picture[y * side as usize..(y + 1) * side as usize]);
     let bytes: Vec<u8> = (0..side as usize).flat_map(row).copied().collect();
-    write_grey(path, [side * panels.len() as u32, side], png::BitDepth::Eight, &bytes)
+    let size = [side * panels.len() as u32, side];
+    encode_bytes(path, size, png::ColorType::Grayscale, png::BitDepth::Eight, &bytes)
 }
 
-fn write_grey(path: &Path, [width, height]: [u32; 2], depth: png::BitDepth, bytes: &[u8]) -> Result<()> {
+fn encode_bytes(
+    path: &Path,
+    [width, height]: [u32; 2],
+    colour: png::ColorType,
+    depth: png::BitDepth,
+    bytes: &[u8],
+) -> Result<()> {
     let failed = |e| match e {
         png::EncodingError::IoError(e) => e,
         other => io::Error::other(other),
     };
     output::write(path, |out| {
         let mut encoder = png::Encoder::new(out, width, height);
-        encoder.set_color(png::ColorType::Grayscale);
+        encoder.set_color(colour);
         encoder.set_depth(depth);
         let mut writer = encoder.write_header().map_err(failed)?;
         writer.write_image_data(bytes).map_err(failed)?;
@@ -112,15 +165,25 @@ fn write_grey(path: &Path, [width, height]: [u32; 2], depth: png::BitDepth, byte
 ///
 /// A file that cannot be written; then nothing of it is left.
 pub fn write_exr(path: &Path, share: &Share) -> Result<()> {
-    let side = share.resolution as usize;
-    let pixel = |at: exr::prelude::Vec2<usize>| (share.visible[at.y() * side + at.x()] as f32 / share.samples as f32,);
-    let channels = SpecificChannels::build().with_channel("Y").with_pixel_fn(pixel);
-    let layer = exr::prelude::Layer::new(
-        (side, side),
-        exr::prelude::LayerAttributes::default(),
-        Encoding::SMALL_LOSSLESS,
-        channels,
-    );
+    let values = share.visible.iter().map(|&n| n as f32 / share.samples as f32);
+    encode_exr(path, share.resolution, [("Y", values.collect())])
+}
+
+/// Writes an OpenEXR file with the f32 channels `R`, `G` and `B`.
+///
+/// # Errors
+///
+/// A file that cannot be written; then nothing of it is left.
+pub fn write_picture_exr(path: &Path, picture: &Picture) -> Result<()> {
+    let channel = |i: usize| picture.pixels.iter().map(|pixel| pixel[i] as f32).collect();
+    encode_exr(path, picture.resolution, [("R", channel(0)), ("G", channel(1)), ("B", channel(2))])
+}
+
+fn encode_exr<const N: usize>(path: &Path, side: u32, channels: [(&str, Vec<f32>); N]) -> Result<()> {
+    let channels = channels.map(|(name, values)| AnyChannel::new(name, FlatSamples::F32(values)));
+    let size = (side as usize, side as usize);
+    let channels = AnyChannels::sort(channels.into_iter().collect());
+    let layer = Layer::new(size, LayerAttributes::default(), Encoding::SMALL_LOSSLESS, channels);
     output::write(path, |out| {
         Image::from_layer(layer).write().non_parallel().to_buffered(out).map_err(|e| match e {
             exr::error::Error::Io(e) => e,

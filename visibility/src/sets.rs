@@ -5,15 +5,15 @@
 //! | offset | size | what |
 //! |---|---|---|
 //! | 0 | 16 | the magic line `sightlines sets` and a line feed |
-//! | 16 | 4 | u32: version of this layout, 1 |
+//! | 16 | 4 | u32: version of this layout, 2 |
 //! | 20 | 4 | u32: version of the numerics contract under which the sets were baked |
 //! | 24 | 4 | u32: resolution, texels a side of the receiver |
 //! | 28 | 4 | u32: samples of the light |
-//! | 32 | 4 | u32: words a texel, samples / 32 |
-//! | 36 | 4 | 0 |
+//! | 32 | 4 | u32: words a texel, samples / bits, rounded up |
+//! | 36 | 4 | u32: bits, the samples of a word: 31 or 32 |
 //! | 40 | 8 | f64: side of a grid cell, in scene units |
 //! | 48 | 8 × samples | two i32 a sample: where it stands, in grid cells in the frame of the light |
-//! | … | 4 × words × resolution² | u32: the sets, row after row; bit i % 32 of word i / 32: sample i is hidden |
+//! | … | 4 × words × resolution² | u32: the sets, row after row; bit i % bits of word i / bits: sample i is hidden |
 //! | … | 32 | BLAKE3 digest of all that stands before |
 
 use std::io;
@@ -24,12 +24,13 @@ use sightlines_backend::CONTRACT_VERSION;
 use crate::error::{Place, Result};
 use crate::input;
 use crate::output;
-use crate::shadows::{MAX_RESOLUTION, MAX_WORDS, SAMPLES, Sets};
+use crate::shadows::placement::MAX_SAMPLES;
+use crate::shadows::{MAX_RESOLUTION, MAX_WORDS, Sets};
 
 /// First bytes of a file of sets.
 pub const MAGIC: [u8; 16] = *b"sightlines sets\n";
 /// Version of the layout.
-pub const VERSION: u32 = 1;
+pub const VERSION: u32 = 2;
 
 const REMEDY: &str = "bake the sets again with `sightlines shadows --sets`";
 
@@ -63,7 +64,7 @@ pub fn write(path: &Path, sets: &Sets) -> Result<()> {
 
 fn header(sets: &Sets) -> Vec<u8> {
     let mut header = MAGIC.to_vec();
-    for field in [VERSION, CONTRACT_VERSION, sets.resolution, sets.samples, sets.words, 0] {
+    for field in [VERSION, CONTRACT_VERSION, sets.resolution, sets.samples, sets.words, sets.bits] {
         header.extend(field.to_le_bytes());
     }
     header.extend(sets.cell.to_le_bytes());
@@ -77,7 +78,7 @@ fn header(sets: &Sets) -> Vec<u8> {
 /// A file that is missing, is not such a file, is of another version, or is damaged.
 pub fn read(path: &Path) -> Result<Sets> {
     // The largest file that can be right.
-    let most = (HEADER + 8 * 1024 + DIGEST) as u64 + 4 * MAX_WORDS;
+    let most = (HEADER + 8 * MAX_SAMPLES as usize + DIGEST) as u64 + 4 * MAX_WORDS;
     decode(&input::read(path, most, REMEDY)?).map_err(|what| Place::file(path).error(what, REMEDY))
 }
 
@@ -86,7 +87,7 @@ fn decode(bytes: &[u8]) -> Result<Sets, String> {
         return Err("it is no file of hidden-sample sets".into());
     };
     let (fields, cell) = header[MAGIC.len()..].split_at(24);
-    let &[version, contract, resolution, samples, words, zero] = &words_of(fields)[..] else {
+    let &[version, contract, resolution, samples, words, bits] = &words_of(fields)[..] else {
         unreachable!("24 bytes")
     };
     if (version, contract) != (VERSION, CONTRACT_VERSION) {
@@ -94,9 +95,10 @@ fn decode(bytes: &[u8]) -> Result<Sets, String> {
         return Err(format!("layout {version} and contract {contract}, where {layout} and {numerics} are read"));
     }
     let count = u64::from(resolution).pow(2) * u64::from(words);
-    let shape = (1..=MAX_RESOLUTION).contains(&resolution) && SAMPLES.contains(&samples) && words == samples / 32;
-    if !shape || zero != 0 || count > MAX_WORDS {
-        return Err(format!("its header is damaged: {resolution} texels a side, {samples} samples, {words} words"));
+    let shape = (1..=MAX_RESOLUTION).contains(&resolution) && (1..=MAX_SAMPLES).contains(&samples);
+    if !shape || !matches!(bits, 31 | 32) || words != samples.div_ceil(bits) || count > MAX_WORDS {
+        let what = format!("{resolution} texels a side, {samples} samples, {words} words of {bits} bits");
+        return Err(format!("its header is damaged: {what}"));
     }
     let cell = f64::from_le_bytes(cell.try_into().map_err(|_| "its header is cut off")?);
     if !(cell.is_finite() && cell > 0.0) {
@@ -112,7 +114,7 @@ fn decode(bytes: &[u8]) -> Result<Sets, String> {
     }
     let (positions, masks) = body[HEADER..].split_at(positions);
     let samples_uv = words_of(positions).as_chunks::<2>().0.iter().map(|uv| uv.map(|v| v as i32)).collect();
-    Ok(Sets { resolution, samples, words, masks: words_of(masks), samples_uv, cell })
+    Ok(Sets { resolution, samples, bits, words, masks: words_of(masks), samples_uv, cell })
 }
 
 fn words_of(bytes: &[u8]) -> Vec<u32> {

@@ -13,13 +13,21 @@
 //! front faces the whole receiver, nothing touches, and some of the scene lies between the two.
 
 mod file;
+mod lights;
 
 use std::fmt;
 use std::path::Path;
 
+use sightlines_kernels::irradiance::MAX_GROUPS;
+
 use crate::error::{Place, Result};
-use crate::scene::{MAX_COORDINATE, Scene};
-use crate::shadows::{MAX_RESOLUTION, MAX_WORDS, Rect, Request, SAMPLES};
+use crate::scene::{Camera, MAX_COORDINATE, Scene};
+use crate::shadows::expose::{self, Exposure, Motion, Sampling};
+use crate::shadows::light::Light;
+use crate::shadows::lightmap::Atlas;
+use crate::shadows::placement::{MAX_SAMPLES, Placement};
+use crate::shadows::surface::{HeightMap, Surface};
+use crate::shadows::{Effort, MAX_RESOLUTION, MAX_WORDS, Rect, Request};
 use crate::vector::{Vector, add, cross, dot, length, scale, sub};
 
 /// Side of the default light, in radii of the scene.
@@ -32,6 +40,11 @@ pub const RESOLUTION: u32 = 512;
 pub const SAMPLE_COUNT: u32 = 1024;
 /// Most lights of one setup.
 pub const MAX_LIGHTS: usize = 64;
+/// Most frames of a motion.
+pub const MAX_FRAMES: u32 = 256;
+
+/// Most colours of a light that are told apart, by default.
+pub const COLOURS: u32 = expose::COLOURS as u32;
 
 const LIGHT_HEIGHT: f64 = 3.0;
 const RECEIVER_SIDE: f64 = 4.0;
@@ -85,7 +98,7 @@ impl fmt::Display for Up {
 }
 
 /// What a caller may choose; the rest is a scene file's or the default.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Settings {
     /// The axis that points up.
     pub up: Option<Up>,
@@ -95,6 +108,26 @@ pub struct Settings {
     pub resolution: Option<u32>,
     /// Samples of each light.
     pub samples: Option<u32>,
+    /// Where samples are.
+    pub placement: Option<Placement>,
+    /// Of all that is random.
+    pub seed: Option<u32>,
+    /// Whether each receiver has the pattern shifted at random.
+    pub decorrelated: Option<bool>,
+    /// Samples a word of the sets.
+    pub word_bits: Option<u32>,
+    /// Most groups of colours.
+    pub colours: Option<u32>,
+    /// Heights of the receiver.
+    pub heights: Option<HeightMap>,
+    /// Whether the scene's own surface receives.
+    pub lightmap: Option<bool>,
+    /// The camera in whose view the receiver is shown.
+    pub camera: Option<Camera>,
+    /// How far the scene moves.
+    pub motion: Option<[f64; 3]>,
+    /// Frames of the motion.
+    pub frames: Option<u32>,
 }
 
 /// A scene with lights, receiver and sampling.
@@ -105,13 +138,28 @@ pub struct Setup {
     /// The axis that points up.
     pub up: Up,
     /// One or more lights, each baked by itself.
-    pub lights: Vec<Rect>,
-    /// Where the shadows fall.
+    pub lights: Vec<Light>,
+    /// The receiver's rectangle.
     pub receiver: Rect,
+    /// Where the shadows fall: on that rectangle, moved by heights or not, or on the scene itself.
+    pub surface: Surface,
     /// Texels a side of the receiver.
     pub resolution: u32,
-    /// Samples of each light.
-    pub samples: u32,
+    /// How each light is sampled.
+    pub sampling: Sampling,
+    /// What moves, and how far in each frame.
+    pub motion: Option<Moves>,
+}
+
+/// A motion of some parts of a scene along a line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moves {
+    /// How far they have come in the last frame.
+    pub offset: [f64; 3],
+    /// Frames, at even distances.
+    pub frames: u32,
+    /// The name of the parts that move; all of them where there is none.
+    pub part: Option<String>,
 }
 
 impl Setup {
@@ -126,8 +174,12 @@ impl Setup {
         let size = checked_light_size(place("light size"), settings.light_size.unwrap_or(LIGHT_SIZE))?;
         let resolution = checked_resolution(place("resolution"), settings.resolution.unwrap_or(RESOLUTION))?;
         let samples = checked_samples(place("samples"), settings.samples.unwrap_or(SAMPLE_COUNT), resolution)?;
+        let colours = checked_colours(place("colours"), settings.colours.unwrap_or(COLOURS))?;
         let (light, receiver) = surround(&scene, up, size);
-        Ok(Setup { scene, up, lights: vec![light], receiver, resolution, samples })
+        let sampling = Sampling { colours, ..sampling(settings, samples) };
+        let motion = moves(&place("motion"), settings.motion, settings.frames, None, &scene)?;
+        let surface = surface(settings, receiver, &scene)?;
+        Ok(Setup { scene, up, lights: vec![light.into()], receiver, surface, resolution, sampling, motion })
     }
 
     /// Reads a scene file; `settings` go before what it says. Its model is looked for beside it.
@@ -139,16 +191,92 @@ impl Setup {
         file::load(path, settings)
     }
 
-    /// The request of the first light; the others differ in [`Request::light`] alone.
+    /// The request of the first light, as a white rectangle with a grid of samples over a plane.
     pub fn request(&self) -> Request {
         Request {
             triangles: self.scene.triangles(),
-            light: self.lights[0],
+            light: self.lights[0].rect,
             receiver: self.receiver,
             resolution: self.resolution,
-            samples: self.samples,
+            samples: self.sampling.count,
         }
     }
+
+    /// The exposure to one of the lights; `light_sums` asks for irradiance.
+    pub fn exposure(&self, light: usize, light_sums: bool) -> Exposure {
+        let part = self.motion.as_ref().and_then(|moves| moves.part.as_deref());
+        let moves = |name: &str| self.motion.is_some() && part.is_none_or(|part| part == name);
+        let (moving, resting): (Vec<_>, Vec<_>) = self.scene.parts.iter().cloned().partition(|p| moves(&p.name));
+        let triangles = |parts| Scene { parts, ..self.scene.clone() }.triangles();
+        let motion = self.motion.as_ref().map(|Moves { offset, frames, .. }| {
+            let part = |frame: u32| f64::from(frame) / f64::from((frames - 1).max(1));
+            Motion { triangles: triangles(moving), offsets: (0..*frames).map(|f| scale(*offset, part(f))).collect() }
+        });
+        Exposure {
+            triangles: triangles(resting),
+            light: self.lights[light].clone(),
+            surface: self.surface.clone(),
+            resolution: self.resolution,
+            sampling: self.sampling.clone(),
+            light_sums,
+            motion,
+            effort: Effort::default(),
+        }
+    }
+}
+
+/// The sampling that settings ask for, but for its colours.
+fn sampling(settings: &Settings, samples: u32) -> Sampling {
+    let plain = Sampling::new(samples);
+    Sampling {
+        placement: settings.placement.clone().unwrap_or(plain.placement),
+        seed: settings.seed.unwrap_or(plain.seed),
+        decorrelated: settings.decorrelated.unwrap_or(plain.decorrelated),
+        bits: settings.word_bits.unwrap_or(plain.bits),
+        ..plain
+    }
+}
+
+/// What receives: a rectangle, with heights if there are any, or the scene itself.
+fn surface(settings: &Settings, receiver: Rect, scene: &Scene) -> Result<Surface> {
+    let (heights, camera) = (settings.heights.clone(), settings.camera.clone());
+    match (settings.lightmap.unwrap_or(false), heights, camera) {
+        (true, None, None) => Ok(Surface::Lightmap(Atlas::new(scene)?)),
+        (false, Some(heights), None) => Ok(Surface::Heights(receiver, heights)),
+        (false, None, Some(camera)) => Ok(Surface::View(receiver, camera)),
+        (false, None, None) => Ok(Surface::Plane(receiver)),
+        _ => {
+            let what = "heights, a lightmap and a camera's view are three kinds of receivers";
+            Err(Place::default().element("receiver").error(what, "keep one of them"))
+        }
+    }
+}
+
+/// The motion that is asked for, if any.
+fn moves(
+    place: &Place,
+    offset: Option<Vector>,
+    frames: Option<u32>,
+    part: Option<String>,
+    scene: &Scene,
+) -> Result<Option<Moves>> {
+    let bad = |what: String, remedy: &str| Err(place.clone().error(what, remedy));
+    let (offset, frames) = match (offset, frames) {
+        (None, None) => return Ok(None),
+        (Some(offset), Some(frames)) => (offset, frames),
+        _ => return bad("a motion has an offset and frames".to_owned(), "give both, or leave out both"),
+    };
+    if !(2..=MAX_FRAMES).contains(&frames) {
+        return bad(format!("{frames} frames"), "choose 2 to 256");
+    }
+    if offset.iter().any(|c| !c.is_finite() || c.abs() > MAX_COORDINATE) {
+        return bad(format!("an offset of {offset:?}"), "choose finite numbers up to 1e12");
+    }
+    if let Some(name) = part.as_ref().filter(|name| scene.parts.iter().all(|p| p.name != **name)) {
+        let names: Vec<&str> = scene.parts.iter().map(|part| part.name.as_str()).take(8).collect();
+        return bad(format!("there is no part `{name}`"), &format!("choose one of {}", names.join(", ")));
+    }
+    Ok(Some(Moves { offset, frames, part }))
 }
 
 /// Light and receiver by the defaults that the head of this file states.
@@ -184,16 +312,24 @@ fn checked_resolution(place: Place, resolution: u32) -> Result<u32> {
 }
 
 fn checked_samples(place: Place, samples: u32, resolution: u32) -> Result<u32> {
-    if !SAMPLES.contains(&samples) {
-        let choice = SAMPLES.map(|n| n.to_string()).join(", ");
-        return Err(place.error(format!("{samples} samples cannot be baked"), format!("choose one of {choice}")));
+    if !(1..=MAX_SAMPLES).contains(&samples) {
+        let remedy = format!("choose 1 to {MAX_SAMPLES}");
+        return Err(place.error(format!("{samples} samples cannot be baked"), remedy));
     }
-    let words = u64::from(resolution) * u64::from(resolution) * u64::from(samples / 32);
+    let words = u64::from(resolution) * u64::from(resolution) * u64::from(samples.div_ceil(32));
     if words > MAX_WORDS {
         let what = format!("{samples} samples for {resolution}² texels are {} MiB of sets", words >> 18);
         return Err(place.error(what, format!("choose fewer samples or texels: at most {} MiB fit", MAX_WORDS >> 18)));
     }
     Ok(samples)
+}
+
+fn checked_colours(place: Place, colours: u32) -> Result<usize> {
+    if (1..=MAX_GROUPS as u32).contains(&colours) {
+        return Ok(colours as usize);
+    }
+    let remedy = format!("choose 1 to {MAX_GROUPS}; the samples of each colour are counted by themselves");
+    Err(place.error(format!("{colours} colours are out of range"), remedy))
 }
 
 /// Refuses a rectangle without area, with skewed sides or with absurd coordinates.

@@ -29,14 +29,53 @@ struct Subject {
 enum Work {
     /// `sightlines shadows`.
     Shadows { resolution: u32, samples: u32 },
+    /// `sightlines shadows` with these options, of a generated scene or of `neon.toml`.
+    Exposure { options: &'static [&'static str] },
     /// `sightlines ambient`, with these options.
     Ambient { options: &'static [&'static str], names: &'static [&'static str] },
 }
 
-const SUBJECTS: [Subject; 6] = [
+const SUBJECTS: [Subject; 9] = [
     Subject { name: "palms", work: Work::Shadows { resolution: 32, samples: 1024 } },
     Subject { name: "box", work: Work::Shadows { resolution: 64, samples: 32 } },
     Subject { name: "model.gltf", work: Work::Shadows { resolution: 57, samples: 256 } },
+    Subject {
+        name: "quads",
+        work: Work::Exposure {
+            options: &[
+                "--resolution",
+                "24",
+                "--samples",
+                "100",
+                "--pattern",
+                "blue-noise",
+                "--decorrelate",
+                "--heights",
+                "bumps",
+                "--height-scale",
+                "0.3",
+                "--result",
+                "irradiance",
+            ],
+        },
+    },
+    Subject {
+        name: "ground",
+        work: Work::Exposure {
+            options: &[
+                "--resolution",
+                "32",
+                "--samples",
+                "64",
+                "--lightmap",
+                "--pattern",
+                "halton",
+                "--light-size",
+                "2",
+            ],
+        },
+    },
+    Subject { name: "neon.toml", work: Work::Exposure { options: &["--result", "irradiance", "--word-bits", "31"] } },
     Subject {
         name: "colonnade",
         work: Work::Ambient {
@@ -60,10 +99,27 @@ const SUBJECTS: [Subject; 6] = [
     },
 ];
 
+/// Tubes of two colours over a box that moves.
+const NEON: &str = r#"
+generator = "box"
+pattern = "jittered"
+resolution = 24
+samples = 200
+[[light]]
+corner = [-1.0, 4.0, -1.0]
+u = [2.0, 0.0, 0.0]
+v = [0.0, 0.0, 2.0]
+tubes = { count = 3, width = 0.3, colours = [[1.0, 0.3, 0.2], [0.2, 0.4, 1.0]] }
+[motion]
+offset = [1.0, 0.0, 0.5]
+frames = 2
+"#;
+
 type Files = Vec<Vec<u8>>;
 
 /// PNG, EXR and sets.
 const NAMES: [&str; 3] = ["a.png", "a.exr", "a.sets"];
+const OUTPUTS: [&str; 6] = ["-o", NAMES[0], "--exr", NAMES[1], "--sets", NAMES[2]];
 
 /// Two instances of a triangle, one of them scaled, turned and moved into the floor.
 const MODEL: &str = r#"{
@@ -82,7 +138,7 @@ impl Subject {
     /// The files that it makes.
     fn names(self) -> &'static [&'static str] {
         match self.work {
-            Work::Shadows { .. } => &NAMES,
+            Work::Shadows { .. } | Work::Exposure { .. } => &NAMES,
             Work::Ambient { names, .. } => names,
         }
     }
@@ -91,6 +147,7 @@ impl Subject {
     fn arguments(self, folder: &Path) -> Result<Vec<String>, Failed> {
         match self.work {
             Work::Shadows { resolution, samples } => self.shadows(folder, resolution, samples),
+            Work::Exposure { options } => self.exposure(folder, options),
             Work::Ambient { options, names } => Ok(self.ambient(options, names)),
         }
     }
@@ -107,6 +164,15 @@ impl Subject {
         all.into_iter().map(str::to_owned).collect()
     }
 
+    fn exposure(self, folder: &Path, options: &[&'static str]) -> Result<Vec<String>, Failed> {
+        let is_file = self.name.ends_with(".toml");
+        if is_file {
+            std::fs::write(folder.join(self.name), NEON)?;
+        }
+        let scene = ["shadows", if is_file { "--scene-file" } else { "--scene" }, self.name];
+        Ok([&scene[..], &OUTPUTS, options].concat().into_iter().map(str::to_owned).collect())
+    }
+
     fn shadows(self, folder: &Path, resolution: u32, samples: u32) -> Result<Vec<String>, Failed> {
         let model = self.name.ends_with(".gltf");
         if model {
@@ -116,8 +182,7 @@ impl Subject {
         let scene = if model { vec![self.name] } else { vec!["--scene", self.name] };
         let (resolution, samples) = (resolution.to_string(), samples.to_string());
         let size = ["--resolution", &resolution, "--samples", &samples];
-        let outputs = ["-o", NAMES[0], "--exr", NAMES[1], "--sets", NAMES[2]];
-        Ok([&["shadows"], &scene[..], &size, &outputs].concat().into_iter().map(str::to_owned).collect())
+        Ok([&["shadows"], &scene[..], &size, &OUTPUTS].concat().into_iter().map(str::to_owned).collect())
     }
 
     /// What the program writes on a machine, whose line of the report must name `shown`.

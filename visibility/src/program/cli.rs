@@ -5,12 +5,12 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use sightlines_visibility::image::Depth;
 use sightlines_visibility::scene::Generator;
-use sightlines_visibility::setup::{Settings, Up};
+use sightlines_visibility::setup::Up;
 
 use super::ambient::{self, args::AmbientArgs};
 use super::compare::{self, CompareArgs};
-use super::effort::EffortArgs;
 use super::queries::{QUERIES_HELP, QueriesArgs};
+use super::shadows::args::{SHADOWS_HELP, ShadowsArgs};
 
 const AFTER_HELP: &str = "\
 Exit codes:
@@ -18,26 +18,6 @@ Exit codes:
   1  the work failed, or a result could not be written
   2  the command line, the model or the scene file is wrong
   3  the backend or adapter asked for is missing";
-
-const SHADOWS_HELP: &str = "\
-By default the receiver is a horizontal square of side 4 R just below the scene, R being the radius of its bounding
-sphere, and the light is a horizontal square of side 0.4 R, 3 R above the receiver. The image is the receiver seen from
-above. Lights and receivers of your own stand in a scene file:
-
-  model = \"model.glb\"        # beside the scene file; or: generator = \"palms\"
-  up = \"y\"                   # or \"z\"
-  resolution = 512
-  samples = 1024
-  [[light]]                  # any number; each shines along u x v
-  corner = [-1.0, 6.0, -1.0]
-  u = [2.0, 0.0, 0.0]
-  v = [0.0, 0.0, 2.0]
-  [receiver]
-  corner = [-4.0, 0.0, -4.0]
-  u = [8.0, 0.0, 0.0]        # columns of the image
-  v = [0.0, 0.0, 8.0]        # rows of the image
-
-Everything but the model or generator may be left out; options go before what the file says.";
 
 /// Who sees whom, how much, and which rays: exact visibility, the same bits on a GPU and without one.
 #[derive(Debug, Parser)]
@@ -51,7 +31,7 @@ pub(crate) struct Cli {
 /// What to compute.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Bake the soft shadow of an area light.
+    /// Bake what receivers see of area lights: soft shadows, irradiance, lightmaps.
     #[command(after_help = AFTER_HELP, after_long_help = format!("{SHADOWS_HELP}\n\n{AFTER_HELP}"))]
     Shadows(ShadowsArgs),
     /// Bake one soft shadow by several methods, and compare.
@@ -63,47 +43,6 @@ pub(crate) enum Command {
     /// Shade a scene by what its vertices see of an environment.
     #[command(after_help = AFTER_HELP, after_long_help = format!("{}\n\n{AFTER_HELP}", ambient::args::HELP))]
     Ambient(AmbientArgs),
-}
-
-/// Arguments of `sightlines shadows`.
-#[derive(Args, Debug)]
-pub(crate) struct ShadowsArgs {
-    /// What casts the shadow.
-    #[command(flatten)]
-    pub(crate) source: Source,
-    /// Picture of the visible share [default: shadow.png, where no other output is asked for].
-    #[arg(short, long, value_name = "FILE.png")]
-    pub(crate) output: Option<PathBuf>,
-    /// Bits of a pixel of the PNG.
-    #[arg(long, value_enum, value_name = "8|16", default_value = "8")]
-    pub(crate) bits: Bits,
-    /// The visible share as OpenEXR, one f32 channel.
-    #[arg(long, value_name = "FILE.exr")]
-    pub(crate) exr: Option<PathBuf>,
-    /// The hidden-sample sets; with several lights, one file each (FILE.0.sets, FILE.1.sets, …).
-    #[arg(long, value_name = "FILE.sets")]
-    pub(crate) sets: Option<PathBuf>,
-    /// Side of the default light, in radii of the scene [default: 0.4].
-    #[arg(long, value_name = "X", allow_negative_numbers = true)]
-    pub(crate) light_size: Option<f64>,
-    /// Texels a side of the receiver [default: 512].
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
-    pub(crate) resolution: Option<u32>,
-    /// Samples of the light: 32, 64, 128, 256, 512 or 1024 [default: 1024].
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
-    pub(crate) samples: Option<u32>,
-    /// The axis that points up [default: y].
-    #[arg(long, value_enum)]
-    pub(crate) up: Option<Axis>,
-    /// Report pairs of triangle and receiver, and, on the interpreter, lane-operations and memory accesses.
-    #[arg(long)]
-    pub(crate) counts: bool,
-    /// What it may take.
-    #[command(flatten)]
-    pub(crate) effort: EffortArgs,
-    /// Where the machine is chosen.
-    #[command(flatten)]
-    pub(crate) machine: MachineArgs,
 }
 
 /// What casts the shadow.
@@ -179,17 +118,6 @@ impl From<Axis> for Up {
         match axis {
             Axis::Y => Up::Y,
             Axis::Z => Up::Z,
-        }
-    }
-}
-
-impl ShadowsArgs {
-    pub(crate) fn settings(&self) -> Settings {
-        Settings {
-            up: self.up.map(Up::from),
-            light_size: self.light_size,
-            resolution: self.resolution,
-            samples: self.samples,
         }
     }
 }

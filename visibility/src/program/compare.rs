@@ -105,6 +105,7 @@ impl CompareArgs {
             light_size,
             resolution: Some(resolution),
             samples: Some(samples),
+            ..Settings::default()
         };
         let pairs = sizes.iter().flat_map(|size| resolutions.iter().map(move |resolution| (*size, *resolution)));
         pairs.flat_map(|(size, resolution)| samples.iter().map(move |n| of(size, resolution, *n))).collect()

@@ -1,16 +1,23 @@
-//! `sightlines shadows`: a scene in, a picture of the visible share and its sets out, and a short report.
+//! `sightlines shadows`: a scene in, pictures of what receivers see of its lights and their sets out, and a short report.
+
+pub(crate) mod args;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use sightlines_backend::{BackendInfo, Counts};
-use sightlines_visibility::image::{Share, write_exr, write_png};
+use sightlines_backend::{Backend, BackendInfo, Counts};
+use sightlines_visibility::error::Place;
+use sightlines_visibility::image::{Depth, Picture, Share, write_exr, write_picture_exr, write_picture_png, write_png};
 use sightlines_visibility::setup::Setup;
-use sightlines_visibility::shadows::{Work, bake_with};
+use sightlines_visibility::shadows::Work;
+use sightlines_visibility::shadows::expose::{Exposed, Exposure, expose};
+use sightlines_visibility::shadows::lightmap::dilate;
+use sightlines_visibility::shadows::reading::Reading;
+use sightlines_visibility::shadows::surface::Surface;
 use sightlines_visibility::{scene, sets};
 
-use super::cli::ShadowsArgs;
+use self::args::{ResultName, ShadowsArgs};
 use super::progress::Progress;
 use super::{Failure, machine, targets};
 
@@ -34,66 +41,140 @@ impl Outputs {
         }
     }
 
-    fn check(&self, args: &ShadowsArgs) -> sightlines_visibility::Result<()> {
-        let named: Vec<PathBuf> = args.source.scene_file.iter().flat_map(|file| targets::named_in(file)).collect();
-        let read = args.source.model.iter().chain(&args.source.scene_file).chain(&named);
-        targets::check(read.map(PathBuf::as_path), self.paths())
-    }
-
     fn paths(&self) -> impl Iterator<Item = &Path> {
         self.png.iter().chain(&self.exr).chain(&self.sets).map(PathBuf::as_path)
+    }
+}
+
+/// What all lights together leave of the receivers.
+#[derive(Default)]
+struct Total {
+    lights: u32,
+    samples: u32,
+    /// Samples that each texel sees.
+    visible: Vec<u32>,
+    is_there: Vec<bool>,
+    /// Their light, by channel.
+    pixels: Vec<[f64; 3]>,
+    /// Whether all of it is white.
+    is_white: bool,
+    cell: f64,
+    work: Work,
+}
+
+impl Total {
+    fn add(&mut self, exposed: &Exposed, result: ResultName) {
+        let texels = exposed.sets.texels();
+        if self.lights == 0 {
+            (self.visible, self.pixels) = (vec![0; texels], vec![[0.0; 3]; texels]);
+            (self.is_there, self.is_white) = (vec![false; texels], true);
+        }
+        for seen in exposed.visible.chunks(texels) {
+            self.visible.iter_mut().zip(seen).for_each(|(sum, seen)| *sum += seen);
+        }
+        let pixels = match result {
+            ResultName::Share => exposed.picture(),
+            ResultName::Irradiance => exposed.irradiance(),
+        };
+        for (sum, pixel) in self.pixels.iter_mut().zip(pixels) {
+            (0..3).for_each(|i| sum[i] += pixel[i]);
+        }
+        self.is_there.iter_mut().zip(&exposed.is_there).for_each(|(any, there)| *any |= there);
+        self.is_white &= exposed.colours == [[1.0; 3]];
+        self.samples += exposed.samples.iter().sum::<u32>();
+        self.lights += 1;
+        self.cell = self.cell.max(exposed.sets.cell);
+        self.work += exposed.work;
+    }
+
+    fn share(&self, resolution: u32) -> Share {
+        Share { resolution, samples: self.samples, visible: self.visible.clone() }
+    }
+
+    /// The mean of the lights where their parts are shown, else their sum; with gutters where texels have no surface.
+    fn picture(&self, resolution: u32, result: ResultName, gutter: u32) -> Picture {
+        let lights = if result == ResultName::Share { f64::from(self.lights) } else { 1.0 };
+        let pixels = self.pixels.iter().zip(&self.is_there);
+        let mut pixels: Vec<Option<[f64; 3]>> =
+            pixels.map(|(pixel, there)| there.then(|| pixel.map(|c| c / lights))).collect();
+        dilate(resolution as usize, &mut pixels, gutter);
+        Picture { resolution, pixels: pixels.into_iter().map(|pixel| pixel.unwrap_or([0.0; 3])).collect() }
     }
 }
 
 /// Bakes, writes and reports.
 pub(crate) fn run(args: &ShadowsArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let setup = setup(args)?;
+    args.check(setup.lights.len(), setup.motion.is_some())?;
     let outputs = Outputs::new(args, setup.lights.len());
-    outputs.check(args)?;
+    targets::check(args.sources().iter().map(PathBuf::as_path), outputs.paths())?;
     let backend = machine::open(&args.machine, args.counts)?;
     describe(&setup, out)?;
     let mut time = Duration::ZERO;
-    let mut request = setup.request();
-    let mut total: Option<(Share, f64)> = None;
-    let mut work = Work::default();
-    for (number, &light) in setup.lights.iter().enumerate() {
-        request.light = light;
-        let progress = Progress::new(format!("light {} of {}", number + 1, setup.lights.len()));
+    let mut total = Total::default();
+    for number in 0..setup.lights.len() {
         let start = Instant::now();
-        let baked = bake_with(&*backend, &request, &args.effort.effort(), &mut |share| progress.show(share))?;
+        let exposed = one_light(args, &setup, number, &*backend)?;
         time += start.elapsed();
-        drop(progress);
         if let Some(path) = outputs.sets.get(number) {
-            sets::write(path, &baked.sets)?;
+            sets::write(path, &exposed.sets)?;
         }
-        work += baked.work;
-        let share = Share::of(&baked);
-        match &mut total {
-            Some((sum, cell)) => {
-                sum.add(&share);
-                *cell = cell.max(baked.sets.cell);
-            }
-            None => total = Some((share, baked.sets.cell)),
-        }
+        total.add(&exposed, args.result);
     }
-    // A setup has a light.
-    let Some((share, cell)) = total else { return Ok(()) };
-    if let Some(path) = &outputs.png {
-        write_png(path, &share, args.bits.into())?;
+    let peak = write(args, &setup, &outputs, &total)?;
+    conclude(&backend.info(), &setup, &total, time, out)?;
+    if let Some(peak) = peak {
+        writeln!(out, "white      {peak:.6e} of a radiance of 1")?;
     }
-    if let Some(path) = &outputs.exr {
-        write_exr(path, &share)?;
-    }
-    conclude(&backend.info(), &setup, &share, cell, time, out)?;
     if args.counts {
-        count(&work, &setup, out)?;
+        count(&total.work, &setup, out)?;
     }
     outputs.paths().try_for_each(|path| writeln!(out, "wrote      {}", path.display()))?;
     Ok(())
 }
 
+/// Exposes the receivers to one light, and reads the sets as asked for.
+fn one_light(args: &ShadowsArgs, setup: &Setup, number: usize, backend: &dyn Backend) -> Result<Exposed, Failure> {
+    let progress = Progress::new(format!("light {} of {}", number + 1, setup.lights.len()));
+    let effort = args.effort.effort();
+    let exposure = Exposure { effort, ..setup.exposure(number, args.result == ResultName::Irradiance) };
+    let mut exposed = expose(backend, &exposure, &mut |share| progress.show(share))?;
+    let reading = Reading::from(args.reading);
+    if reading != Reading::Centre {
+        exposed.sets = exposed.sets.read(reading, &exposed.is_there);
+        exposed.visible = exposed.sets.count(&exposed.of, exposed.colours.len());
+    }
+    if let Some(sample) = args.seen_from {
+        if sample >= exposed.sets.samples {
+            let what = format!("there is no sample {sample}");
+            let remedy = format!("choose 0 to {}", exposed.sets.samples - 1);
+            return Err(Failure::Work(Place::default().element("--seen-from").error(what, remedy)));
+        }
+        exposed.visible = exposed.sets.seen_from(sample).into_iter().map(u32::from).collect();
+        (exposed.samples, exposed.colours) = (vec![1], vec![[1.0; 3]]);
+    }
+    Ok(exposed)
+}
+
+/// Writes the pictures; the answer is what white is in the PNG, where that is not the whole light.
+fn write(args: &ShadowsArgs, setup: &Setup, outputs: &Outputs, total: &Total) -> Result<Option<f64>, Failure> {
+    let is_lightmap = matches!(setup.surface, Surface::Lightmap(_));
+    let depth: Depth = args.bits.into();
+    if args.result == ResultName::Share && total.is_white && !is_lightmap {
+        let share = total.share(setup.resolution);
+        outputs.png.as_ref().map(|path| write_png(path, &share, depth)).transpose()?;
+        outputs.exr.as_ref().map(|path| write_exr(path, &share)).transpose()?;
+        return Ok(None);
+    }
+    let picture = total.picture(setup.resolution, args.result, if is_lightmap { args.gutter } else { 0 });
+    let white = if args.result == ResultName::Share { 1.0 } else { picture.peak() };
+    outputs.png.as_ref().map(|path| write_picture_png(path, &picture, white, depth)).transpose()?;
+    outputs.exr.as_ref().map(|path| write_picture_exr(path, &picture)).transpose()?;
+    Ok((args.result == ResultName::Irradiance).then_some(white))
+}
+
 fn setup(args: &ShadowsArgs) -> sightlines_visibility::Result<Setup> {
-    let settings = args.settings();
+    let settings = args.settings()?;
     match (&args.source.scene_file, &args.source.model, args.source.scene) {
         (Some(file), ..) => Setup::load(file, &settings),
         (None, Some(model), _) => Setup::new(scene::load(model)?, &settings),
@@ -115,17 +196,16 @@ fn describe(setup: &Setup, out: &mut dyn Write) -> Result<(), Failure> {
 fn conclude(
     info: &BackendInfo,
     setup: &Setup,
-    share: &Share,
-    cell: f64,
+    total: &Total,
     time: Duration,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
-    let (lights, side) = (setup.lights.len(), share.resolution);
-    writeln!(out, "receivers  {side} x {side}, {} samples on {}", setup.samples, counted(lights, "light"))?;
-    writeln!(out, "grid       cells of {cell:.3e} scene units")?;
+    let (lights, side) = (setup.lights.len(), setup.resolution);
+    writeln!(out, "receivers  {side} x {side}, {} samples on {}", setup.sampling.count, counted(lights, "light"))?;
+    writeln!(out, "grid       cells of {:.3e} scene units", total.cell)?;
     writeln!(out, "backend    {}", machine::describe(info))?;
     writeln!(out, "time       {:.3} s", time.as_secs_f64())?;
-    Ok(writeln!(out, "visible    {:.6} of the light in the mean", share.mean())?)
+    Ok(writeln!(out, "visible    {:.6} of the light in the mean", total.share(side).mean())?)
 }
 
 /// The work in numbers that do not depend on how fast the machine is.

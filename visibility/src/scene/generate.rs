@@ -6,6 +6,7 @@
 mod bumpy;
 mod crowd;
 mod moving;
+mod office;
 mod palms;
 mod shapes;
 
@@ -26,11 +27,22 @@ pub enum Generator {
     Quads,
     /// Two rows of columns that carry beams.
     Colonnade,
+    /// Desks in rows, with legs, screens and chairs.
+    Office,
+    /// Hills and hollows, with texture coordinates.
+    Ground,
 }
 
 impl Generator {
     /// All of them.
-    pub const ALL: [Generator; 4] = [Generator::Palms, Generator::Box, Generator::Quads, Generator::Colonnade];
+    pub const ALL: [Generator; 6] = [
+        Generator::Palms,
+        Generator::Box,
+        Generator::Quads,
+        Generator::Colonnade,
+        Generator::Office,
+        Generator::Ground,
+    ];
 
     /// The name that command lines and scene files use.
     pub fn name(self) -> &'static str {
@@ -39,6 +51,8 @@ impl Generator {
             Generator::Box => "box",
             Generator::Quads => "quads",
             Generator::Colonnade => "colonnade",
+            Generator::Office => "office",
+            Generator::Ground => "ground",
         }
     }
 
@@ -55,6 +69,8 @@ pub fn generate(generator: Generator) -> Scene {
         Generator::Box => vec![shapes::cuboid("box", [-0.5, 0.5, -0.5], [0.5, 1.5, 0.5])],
         Generator::Quads => shapes::quads(),
         Generator::Colonnade => shapes::colonnade(),
+        Generator::Office => office::desks(),
+        Generator::Ground => vec![shapes::ground()],
     };
     Scene { name: generator.name().to_owned(), units: "metres", parts }
 }

@@ -12,7 +12,7 @@ use gltf::json::validation::{Checked, Error as Reason};
 use gltf::mesh::Mode;
 use gltf::{Document, Node, Primitive, Semantic};
 
-use super::{Affine, Camera, Instance, Lens, MAX_TRIANGLES, MAX_VERTICES, Mesh, World, limit, load};
+use super::{Affine, Camera, Instance, Lens, MAX_TRIANGLES, MAX_VERTICES, Mesh, UNMAPPED, World, limit, load};
 use crate::error::{Place, Result};
 use crate::vector::{add, cross, length, scale};
 
@@ -175,12 +175,25 @@ impl Walk<'_> {
                 part.normals.resize(first as usize, [0.0; 3]);
                 part.normals.extend(normals);
             }
+            let map =
+                primitive.get(&Semantic::TexCoords(0)).map(|accessor| self.buffers.pairs(&accessor)).transpose()?;
+            if map.is_some() {
+                part.uvs.resize(part.triangles.len(), UNMAPPED);
+            }
             for triangle in self.triangles(&primitive, points.len())? {
                 if let Some(bad) = triangle.iter().find(|&&i| i as usize >= points.len()) {
                     let what = format!("vertex {bad} (from 0) is used, and there are {}", points.len());
                     return Err(place().error(what, REMEDY));
                 }
                 part.triangles.push(triangle.map(|i| first + i));
+                // v counts downwards in glTF, upwards here.
+                let corner = |[u, v]: [f64; 2]| [u, 1.0 - v];
+                let corners = map.as_ref().map(|map| triangle.map(|i| map.get(i as usize).copied().map(corner)));
+                match corners {
+                    Some([Some(a), Some(b), Some(c)]) => part.uvs.push([a, b, c]),
+                    _ if !part.uvs.is_empty() => part.uvs.push(UNMAPPED),
+                    _ => {}
+                }
             }
             limit(place(), "triangles", part.triangles.len(), MAX_TRIANGLES)?;
             part.vertices.extend(points);

@@ -41,6 +41,8 @@ pub const MAX_VERTICES: usize = 1 << 24;
 pub const MAX_TRIANGLES: usize = 1 << 23;
 /// Largest magnitude of a coordinate. Squares and cubes of it are far from overflow.
 pub const MAX_COORDINATE: f64 = 1e12;
+/// Texture coordinates of a triangle that has none, of a mesh where others have: outside any map.
+pub const UNMAPPED: [[f64; 2]; 3] = [[-1.0; 2]; 3];
 /// Least radius of a scene, as a share of its distance from the origin.
 pub const LEAST_RADIUS: f64 = 1e-9;
 
@@ -54,19 +56,28 @@ pub struct Mesh {
     /// A normal of any length for each vertex, zero where the file has none for it; none at all where it has none for
     /// any.
     pub normals: Vec<[f64; 3]>,
+    /// Where each triangle's corners are on a texture, u and v; empty if the mesh has no texture coordinates, and
+    /// [`UNMAPPED`] for a triangle that has none.
+    pub uvs: Vec<[[f64; 2]; 3]>,
     /// Three vertices each.
     pub triangles: Vec<[u32; 3]>,
+}
+
+/// The corners of a triangle, the other way round if asked for.
+fn turned<T>([a, b, c]: [T; 3], around: bool) -> [T; 3] {
+    if around { [a, c, b] } else { [a, b, c] }
 }
 
 impl Mesh {
     /// The mesh in other coordinates. Where the map mirrors, triangles are turned round, so that fronts stay in front.
     pub(crate) fn moved(&self, by: &Affine) -> Mesh {
-        let turned = |t: &[u32; 3]| if by.mirrors() { [t[0], t[2], t[1]] } else { *t };
+        let mirrors = by.mirrors();
         Mesh {
             name: self.name.clone(),
             vertices: self.vertices.iter().map(|v| by.apply(*v)).collect(),
-            triangles: self.triangles.iter().map(turned).collect(),
+            triangles: self.triangles.iter().map(|t| turned(*t, mirrors)).collect(),
             normals: self.normals.iter().map(|n| by.normal(*n)).collect(),
+            uvs: self.uvs.iter().map(|t| turned(*t, mirrors)).collect(),
         }
     }
 }

@@ -1,9 +1,10 @@
-//! Wavefront OBJ, through `tobj`. Positions, faces and normals matter; materials are not looked for.
+//! Wavefront OBJ, through `tobj`. Positions, faces, normals and texture coordinates matter; materials are not looked for.
 //!
 //! Normals are taken where every corner of every face has one that is there; a vertex with several becomes as many.
 //!
 //! `tobj` would refuse a mesh for its texture coordinates, makes a face of a polyline, and tells what is wrong but not
-//! where. So it is given the [`statements`] that matter, through a reader that knows how far it has come.
+//! where. So it is given the [`statements`] that matter, through a reader that knows how far it has come, and texture coordinates
+//! are read beside it ([`maps`]), in the same order of faces.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -12,7 +13,7 @@ use std::path::Path;
 
 use tobj::{LoadError, LoadOptions};
 
-use super::{MAX_VERTICES, Mesh, Scene, limit, load, polygon};
+use super::{MAX_VERTICES, Mesh, Scene, UNMAPPED, limit, load, polygon};
 use crate::error::{Error, Place, Result};
 
 const REMEDY: &str = "mend the line, or export the mesh again";
@@ -30,7 +31,8 @@ pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Scene> {
             other => lines.refused(path, &other.to_string()),
         },
     )?;
-    let parts = models.into_iter().map(|model| part(path, model)).collect::<Result<_>>()?;
+    let mut maps = maps(&text).into_iter();
+    let parts = models.into_iter().map(|model| part(path, model, &mut maps)).collect::<Result<_>>()?;
     Ok(Scene { name: load::name(path), units: "units of the file", parts })
 }
 
@@ -45,23 +47,29 @@ fn text<'a>(path: &Path, bytes: &'a [u8]) -> Result<Cow<'a, str>> {
     Ok(String::from_utf8_lossy(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)))
 }
 
-fn part(path: &Path, model: tobj::Model) -> Result<Mesh> {
+fn part(path: &Path, model: tobj::Model, maps: &mut impl Iterator<Item = Map>) -> Result<Mesh> {
     let tobj::Model { mesh, name } = model;
     let place = || Place::file(path).element(format!("mesh `{name}`"));
     let (vertices, normals, indices) = corners(&mesh);
     let vertices = vertices.as_slice();
     limit(place(), "vertices", vertices.len(), MAX_VERTICES)?;
     let mut triangles = Vec::with_capacity(indices.len() / 3);
-    if mesh.face_arities.is_empty() {
-        triangles.extend_from_slice(indices.as_chunks::<3>().0);
-    }
+    let mut uvs = Vec::new();
     let mut rest = indices.as_slice();
-    for &arity in &mesh.face_arities {
+    let threes = vec![3; if mesh.face_arities.is_empty() { rest.len() / 3 } else { 0 }];
+    for &arity in mesh.face_arities.iter().chain(&threes) {
         let (corners, after) = rest.split_at(arity as usize);
         polygon::triangulate(place, vertices, corners, &mut triangles)?;
+        // Files without texture coordinates have no maps.
+        if let Some(map) = maps.next() {
+            let at = |vertex: &u32| corners.iter().position(|corner| corner == vertex).and_then(|i| *map.get(i)?);
+            let mapped = triangles[uvs.len()..].iter().map(|t| t.each_ref().map(at));
+            let mapped = mapped.map(|map| if let [Some(a), Some(b), Some(c)] = map { [a, b, c] } else { UNMAPPED });
+            uvs.extend(mapped.collect::<Vec<_>>());
+        }
         rest = after;
     }
-    Ok(Mesh { vertices: vertices.to_vec(), triangles, name, normals })
+    Ok(Mesh { vertices: vertices.to_vec(), triangles, uvs, name, normals })
 }
 
 /// Vertices, their normals if there are any, and the vertices of all corners: each pair of position and normal once.
@@ -84,10 +92,44 @@ fn corners(mesh: &tobj::Mesh) -> (Vec<[f64; 3]>, Vec<[f64; 3]>, Vec<u32>) {
     (vertices, pairs.iter().map(|pair| take(normals, pair.1)).collect(), corners)
 }
 
+/// Texture coordinates of a face's corners, where it has them.
+type Map = Vec<Option<[f64; 2]>>;
+
+/// The maps of all faces of three corners or more, in order; none in a file without texture coordinates.
+fn maps(text: &str) -> Vec<Map> {
+    let mut points: Vec<Option<[f64; 2]>> = Vec::new();
+    let mut maps = Vec::new();
+    for (_, statement) in joined(text) {
+        let mut words = statement.split_whitespace();
+        match words.next() {
+            Some("vt") => {
+                let mut numbers = words.map(|word| word.parse::<f64>().ok());
+                points.push(numbers.next().flatten().zip(numbers.next().flatten()).map(|(u, v)| [u, v]));
+            }
+            Some("f") => {
+                let point = |corner: &str| {
+                    let number: i64 = corner.split('/').nth(1)?.parse().ok()?;
+                    let index = if number < 0 { points.len() as i64 + number } else { number - 1 };
+                    *points.get(usize::try_from(index).ok()?)?
+                };
+                let map: Map = words.map(point).collect();
+                maps.extend((map.len() > 2).then_some(map));
+            }
+            _ => {}
+        }
+    }
+    if points.is_empty() { Vec::new() } else { maps }
+}
+
 /// What matters of a file, one line each with the number of its first line: `v` with its coordinates (and weight), `f`
 /// with its vertices, the names of objects and groups, and `vn` if normals are wanted. A backslash at its end continues
 /// a line.
 fn statements(text: &str, with_normals: bool) -> impl Iterator<Item = (usize, String)> {
+    joined(text).map(move |(number, statement)| (number, essence(&statement, with_normals)))
+}
+
+/// All statements, on one line each.
+fn joined(text: &str) -> impl Iterator<Item = (usize, String)> {
     let mut lines = text.lines().enumerate();
     std::iter::from_fn(move || {
         let (number, line) = lines.next()?;
@@ -97,7 +139,7 @@ fn statements(text: &str, with_normals: bool) -> impl Iterator<Item = (usize, St
             statement.push(' ');
             statement.push_str(lines.next().map_or("", |(_, line)| line));
         }
-        Some((number + 1, essence(&statement, with_normals)))
+        Some((number + 1, statement))
     })
 }
 

@@ -34,7 +34,7 @@ pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Scene> {
     let normals = vertices.iter().filter(|_| has_normals).map(|v: &Vertex| v.normal).collect();
     let vertices: Vec<[f64; 3]> = vertices.into_iter().map(|v| v.position).collect();
     let triangles = Vec::with_capacity(faces.len());
-    let mut mesh = Mesh { name: String::new(), triangles, vertices, normals };
+    let mut mesh = Mesh { triangles, vertices, normals, ..Mesh::default() };
     for (number, Face(corners)) in faces.iter().enumerate() {
         add_face(|| Place::file(path).element(format!("face {}", number + 1)), corners, &mut mesh)?;
     }

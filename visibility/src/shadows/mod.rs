@@ -1,11 +1,22 @@
 //! Soft shadows of area lights: for each texel of a receiver, the set of light samples that the scene hides from it.
 //!
 //! A [`Request`] is geometry and numbers, nothing of files or defaults; a [`Bake`] is the answer, its [`Sets`] exact on the
-//! quantised scene. Bit `i % 32` of word `i / 32` of a texel is set iff sample `i` is hidden from it.
+//! quantised scene. Bit `i % 32` of word `i / 32` of a texel is set iff sample `i` is hidden from it. A request is of a white
+//! rectangle and a parallel plane; an [`Exposure`](expose::Exposure) is of any light and any receivers.
 
+mod blue_noise;
 pub(crate) mod compose;
 pub mod cull;
+pub mod expose;
+mod fit;
+pub mod light;
+pub mod lightmap;
+mod lists;
+mod passes;
+pub mod placement;
+pub mod reading;
 pub mod snap;
+pub mod surface;
 
 use std::ops::AddAssign;
 
@@ -75,6 +86,8 @@ pub struct Sets {
     pub resolution: u32,
     /// Samples of the light.
     pub samples: u32,
+    /// Samples of a word: sample i is bit `i % bits` of word `i / bits`.
+    pub bits: u32,
     /// Words of one texel's set.
     pub words: u32,
     /// The sets, row after row; `words` words a texel.
@@ -83,6 +96,19 @@ pub struct Sets {
     pub samples_uv: Vec<[i32; 2]>,
     /// Side of a cell of the grid, in scene units.
     pub cell: f64,
+}
+
+impl Sets {
+    /// Number of texels.
+    pub fn texels(&self) -> usize {
+        self.resolution as usize * self.resolution as usize
+    }
+
+    /// Whether a sample is hidden from a texel.
+    pub fn is_hidden(&self, texel: usize, sample: u32) -> bool {
+        let word = self.masks[texel * self.words as usize + (sample / self.bits) as usize];
+        word >> (sample % self.bits) & 1 != 0
+    }
 }
 
 /// What a light leaves of a receiver: the sets, their sizes, and the work that they took.
@@ -172,7 +198,7 @@ pub(crate) fn assemble(request: &Request, scene: &Snapped, composed: Composed) -
     let samples_uv = (0..request.samples).map(|sample| scene.samples.at(sample)).map(|[x, y, _]| [x, y]).collect();
     let upright = |words, planes| upright(planes, words as usize, resolution as usize, scene.mirrored);
     let masks = upright(words, masks);
-    let sets = Sets { resolution, samples: request.samples, words, masks, samples_uv, cell: scene.cell };
+    let sets = Sets { resolution, samples: request.samples, bits: 32, words, masks, samples_uv, cell: scene.cell };
     Bake { sets, visible: upright(1, visible), work }
 }
 

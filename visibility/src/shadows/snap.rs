@@ -2,12 +2,12 @@
 //!
 //! Axes follow the light: x along its first side, y along its second, z where it shines, the light at z = 0. The side of
 //! a cell is the distance of two texel centres divided by the largest whole number that lets everything fit, so
-//! receivers are exact. Vertices go to the nearest grid point; the samples' distance and the receivers' height become
+//! receivers are exact. Triangles are cut at the light's plane, vertices go to the nearest grid point; the samples' distance and the receivers' height become
 //! whole cells. After this only integers decide ([`sightlines_kernels::grid`] has the definition).
 
 use sightlines_kernels::grid::{Receivers, Samples, Triangle, XY, Z};
 
-use super::{Rect, Request};
+use super::{Rect, Request, SAMPLES};
 use crate::error::{Place, Result};
 use crate::vector::{Vector, cross, dot, length, scale, sub};
 
@@ -16,6 +16,8 @@ use crate::vector::{Vector, cross, dot, length, scale, sub};
 pub struct Snapped {
     /// The light's samples.
     pub samples: Samples,
+    /// The light's rectangle: its corner and its size, in cells.
+    pub light: [[i32; 2]; 2],
     /// The receivers, in ascending x and y.
     pub receivers: Receivers,
     /// Whether columns of the image run against x, and rows against y.
@@ -28,18 +30,18 @@ pub struct Snapped {
     pub cell: f64,
 }
 
-fn refuse<T>(what: impl Into<String>, remedy: &str) -> Result<T> {
+pub(super) fn refuse<T>(what: impl Into<String>, remedy: &str) -> Result<T> {
     Err(Place::default().error(what, remedy))
 }
 
 /// The frame of a light.
-struct Frame {
+pub(super) struct Frame {
     corner: Vector,
     axes: [Vector; 3],
 }
 
 impl Frame {
-    fn new(light: &Rect) -> Result<Self> {
+    pub(super) fn new(light: &Rect) -> Result<Self> {
         let (u, v) = (length(light.u), length(light.v));
         let normal = cross(light.u, light.v);
         let area = length(normal);
@@ -54,12 +56,12 @@ impl Frame {
         Ok(Frame { corner: light.corner, axes })
     }
 
-    fn point(&self, p: Vector) -> Vector {
+    pub(super) fn point(&self, p: Vector) -> Vector {
         let p = sub(p, self.corner);
         self.axes.map(|axis| dot(axis, p))
     }
 
-    fn direction(&self, d: Vector) -> Vector {
+    pub(super) fn direction(&self, d: Vector) -> Vector {
         self.axes.map(|axis| dot(axis, d))
     }
 }
@@ -93,16 +95,19 @@ fn shape(samples: u32) -> (u32, u32) {
 ///
 /// # Errors
 ///
-/// A light or receiver without area, a receiver that is not parallel to the light or lies behind it, geometry that reaches
-/// through the light's plane, and a scene that does not fit the grid at this resolution.
+/// A light or receiver without area, a receiver that is not parallel to the light or lies behind it, and a scene that does
+/// not fit the grid at this resolution.
 pub fn snap(request: &Request) -> Result<Snapped> {
+    if !SAMPLES.contains(&request.samples) {
+        let what = format!("{} samples cannot be baked by row spans", request.samples);
+        return refuse(what, "choose one of 32, 64, 128, 256, 512 and 1024");
+    }
     let frame = Frame::new(&request.light)?;
     let Request { resolution, receiver, light, .. } = request;
     let start = frame.point(receiver.corner);
     let (u, v) = (frame.direction(receiver.u), frame.direction(receiver.v));
     let height = start[2];
-    let tolerance = 1e-9 * (length(u) + length(v));
-    if [u[1], u[2], v[0], v[2]].iter().any(|x| x.abs() > tolerance) || u[0] == 0.0 || v[1] == 0.0 {
+    if !is_aligned(&frame, receiver) {
         return refuse(
             "the receiver is not aligned with the light",
             "make its sides parallel to the light's sides, in order",
@@ -123,9 +128,16 @@ pub fn snap(request: &Request) -> Result<Snapped> {
         reaches(0) && reaches(1) && t.iter().any(|p| p[2] > 0.0) && t.iter().any(|p| p[2] < height)
     };
     let triangles: Vec<[Vector; 3]> =
-        request.triangles.iter().map(|t| t.map(|p| frame.point(p))).filter(relevant).collect();
+        request.triangles.iter().flat_map(|t| cut(t.map(|p| frame.point(p)))).filter(relevant).collect();
     let fit = Fit::new(&axes, *resolution, [lows, highs], height, &triangles)?;
     fit.scene(request, &axes, sides, height, &triangles)
+}
+
+/// Whether a receiver's sides run along those of a light, in order.
+pub(super) fn is_aligned(frame: &Frame, receiver: &Rect) -> bool {
+    let (u, v) = (frame.direction(receiver.u), frame.direction(receiver.v));
+    let tolerance = 1e-9 * (length(u) + length(v));
+    [u[1], u[2], v[0], v[2]].iter().all(|x| x.abs() <= tolerance) && u[0] != 0.0 && v[1] != 0.0
 }
 
 /// Cells of the grid in the frame: where its origin is and how large a cell.
@@ -203,8 +215,11 @@ impl Fit {
         };
         samples.check()?;
         receivers.check()?;
+        let corner = [self.xy(0, 0.0), self.xy(1, 0.0)];
+        let light = [corner, std::array::from_fn(|i| self.xy(i, sides[i]) - corner[i])];
         let mut snapped = Snapped {
             samples,
+            light,
             receivers,
             mirrored: [axes[0].mirrored, axes[1].mirrored],
             between: Vec::new(),
@@ -212,30 +227,44 @@ impl Fit {
             cell: self.cell,
         };
         for triangle in triangles {
-            snapped.add(triangle.map(|p| self.point(p)))?;
+            snapped.add(triangle.map(|p| self.point(p)));
         }
         Ok(snapped)
     }
 }
 
 impl Snapped {
-    fn add(&mut self, triangle: Triangle) -> Result<()> {
+    fn add(&mut self, triangle: Triangle) {
         let height = self.receivers.height;
         let z = triangle.map(|p| p[2]);
         if z.iter().all(|z| *z <= 0) || z.iter().all(|z| *z >= height) {
-            return Ok(());
+            return;
         }
-        if z.iter().all(|z| (1..height).contains(z)) {
-            self.between.push(triangle);
-        } else if z.iter().all(|z| *z >= 0) {
-            self.crossing.push(triangle);
-        } else {
-            let behind = -f64::from(z.into_iter().min().unwrap_or(0)) * self.cell;
-            let what = format!("a triangle passes through the light's plane and reaches {behind:.6} units behind it");
-            return refuse(what, "move the light clear of the geometry, or cut the triangle at the light's plane");
-        }
-        Ok(())
+        let between = z.iter().all(|z| (1..height).contains(z));
+        if between { self.between.push(triangle) } else { self.crossing.push(triangle) }
     }
+}
+
+/// The part of a triangle in front of the light's plane, as none, one or two triangles, in the frame of the light. Triangles
+/// that share an edge are cut at one point of it, so that no gap opens between them.
+pub(super) fn cut(triangle: [Vector; 3]) -> impl Iterator<Item = [Vector; 3]> {
+    let edges = [0, 1, 2].map(|i| (triangle[i], triangle[(i + 1) % 3]));
+    let meet = |front: Vector, back: Vector| {
+        let part = front[2] / (front[2] - back[2]);
+        let [x, y] = [0, 1].map(|i| front[i] + (back[i] - front[i]) * part);
+        [x, y, 0.0]
+    };
+    let corners: Vec<Vector> = edges
+        .into_iter()
+        .flat_map(|(a, b)| match (a[2] >= 0.0, b[2] >= 0.0) {
+            (true, true) => [Some(a), None],
+            (true, false) => [Some(a), Some(meet(a, b))],
+            (false, true) => [None, Some(meet(b, a))],
+            (false, false) => [None, None],
+        })
+        .flatten()
+        .collect();
+    (2..corners.len()).map(move |i| [corners[0], corners[i - 1], corners[i]])
 }
 
 #[cfg(test)]
@@ -307,9 +336,23 @@ mod tests {
     fn geometry_through_either_plane() {
         let floor = [[0.0, 1.0, 0.0], [0.1, -0.5, 0.0], [0.0, 1.0, 0.1]];
         assert_eq!(snap(&request(vec![floor])).unwrap().crossing.len(), 1);
-        let light = [[0.0, 1.0, 0.0], [0.1, 3.5, 0.0], [0.0, 1.0, 0.1]];
-        let message = snap(&request(vec![light])).unwrap_err().to_string();
-        assert!(message.contains("0.5") && message.contains("behind"), "{message}");
+        // What reaches through the light's plane is cut there: a corner behind leaves two triangles, two leave one.
+        for (behind, left) in [([3.0 + 0.5, 1.0, 1.0], 2), ([3.5, 1.0, 4.0], 1), ([3.5, 3.1, 4.0], 0)] {
+            let light = [[0.0, behind[0], 0.0], [0.1, behind[1], 0.0], [0.0, behind[2], 0.1]];
+            let snapped = snap(&request(vec![light])).unwrap();
+            assert_eq!(snapped.crossing.len(), left, "{behind:?}");
+            assert!(snapped.crossing.as_flattened().iter().all(|p| (0..Z).contains(&p[2])));
+        }
+    }
+
+    #[test]
+    fn triangles_that_share_an_edge_are_cut_at_one_point_of_it() {
+        let (a, b) = ([0.1, 0.7, 0.9], [5.3, -1.1, -0.3]);
+        let cuts = [[a, b, [3.0, 2.0, 1.0]], [b, a, [-3.0, 2.0, 1.0]], [[1.0, 1.0, -4.0], a, b]].map(|t| {
+            let corners: Vec<Vector> = cut(t).flatten().filter(|p| p[2] == 0.0).collect();
+            corners
+        });
+        assert!(cuts[1..].iter().all(|corners| corners.iter().any(|p| cuts[0].contains(p))), "{cuts:?}");
     }
 
     #[test]
@@ -319,6 +362,8 @@ mod tests {
             ..request(vec![])
         };
         assert!(snap(&turned).unwrap_err().to_string().contains("remedy"));
+        let odd = snap(&Request { samples: 37, ..request(vec![]) }).unwrap_err().to_string();
+        assert!(odd.contains("37 samples cannot be baked by row spans"), "{odd}");
         let tilted = Request { receiver: Rect { v: [0.0, 0.5, -4.0], ..request(vec![]).receiver }, ..request(vec![]) };
         assert!(snap(&tilted).unwrap_err().to_string().contains("aligned"));
         let flat = Request { light: Rect { v: [0.4, 0.0, 0.0], ..request(vec![]).light }, ..request(vec![]) };

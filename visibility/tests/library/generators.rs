@@ -27,6 +27,8 @@ fn generated_scenes_are_the_same_bits_everywhere() {
         "box 1 12 d5ed236d768eb758",
         "quads 2 4 a1290d58841667e0",
         "colonnade 14 744 7962f9a9a29880a7",
+        "office 144 1728 3a2b27913b81f256",
+        "ground 1 8192 29a1d61071fead60",
     ];
     assert_eq!(found, expected);
 }

@@ -12,7 +12,7 @@ fn known() -> Sets {
     let (resolution, samples, words) = (3, 64, 2);
     let masks = (0..18_u32).map(|i| i.wrapping_mul(0x9E37_79B9) >> (i % 7)).collect();
     let samples_uv = (0..64).map(|i| [i % 8 - 4, i / 8 - 4]).collect();
-    Sets { resolution, samples, words, masks, samples_uv, cell: 0.125 }
+    Sets { resolution, samples, bits: 32, words, masks, samples_uv, cell: 0.125 }
 }
 
 #[test]
@@ -87,7 +87,7 @@ fn sets_come_back_and_stand_where_the_documentation_says() {
     let bytes = std::fs::read(&path).unwrap();
     let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
     assert!(bytes.starts_with(b"sightlines sets\n"));
-    assert_eq!([16, 24, 28, 32, 36].map(word), [1, 3, 64, 2, 0]);
+    assert_eq!([16, 24, 28, 32, 36].map(word), [2, 3, 64, 2, 32]);
     assert_eq!(word(20), sightlines_backend::CONTRACT_VERSION);
     assert_eq!(bytes[40..48], 0.125_f64.to_le_bytes());
     assert_eq!((word(48) as i32, word(52) as i32), (-4, -4));
@@ -99,8 +99,15 @@ fn sets_come_back_and_stand_where_the_documentation_says() {
 #[test]
 fn large_sets_come_back() {
     let masks = (0..200 * 200 * 4_u32).map(|i| i.wrapping_mul(0x85EB_CA6B)).collect();
-    let large =
-        Sets { resolution: 200, samples: 128, words: 4, masks, samples_uv: vec![[i32::MIN, 7]; 128], cell: 1e-3 };
+    let large = Sets {
+        resolution: 200,
+        samples: 128,
+        bits: 32,
+        words: 4,
+        masks,
+        samples_uv: vec![[i32::MIN, 7]; 128],
+        cell: 1e-3,
+    };
     let path = Folder::new();
     let path = path.path("a.sets");
     sets::write(&path, &large).unwrap();
@@ -127,12 +134,13 @@ fn damaged_sets_are_refused() {
         bytes[at..at + 4].copy_from_slice(&value.to_le_bytes());
         refused(&bytes)
     };
-    assert!(with(16, 2).contains("layout 2"));
+    assert!(with(16, 3).contains("layout 3"));
     assert!(with(20, 77).contains("contract 77"));
     assert!(with(24, 0).contains("0 texels a side"));
     assert!(with(24, u32::MAX).contains("4294967295 texels a side"));
-    assert!(with(28, 63).contains("63 samples"));
+    assert!(with(28, 65).contains("65 samples"));
     assert!(with(32, 3).contains("3 words"));
+    assert!(with(36, 30).contains("of 30 bits"));
     assert!(with(44, 0xFFF0_0000).contains("a grid cell of -inf"));
     assert!(with(24, 4).contains("bytes, "));
     assert!(with(600, 0).contains("do not match their digest"));

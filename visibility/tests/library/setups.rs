@@ -33,21 +33,27 @@ fn the_defaults_stand_around_the_scene() {
     let ground = 1.0 - 0.02 * r;
     is(setup.receiver, [5.0 - 2.0 * r, ground, 5.0 - 2.0 * r], [4.0 * r, 0.0, 0.0], [0.0, 0.0, 4.0 * r]);
     let light = [5.0 - 0.2 * r, ground + 3.0 * r, 5.0 - 0.2 * r];
-    is(setup.lights[0], light, [0.4 * r, 0.0, 0.0], [0.0, 0.0, 0.4 * r]);
-    assert_eq!((setup.lights.len(), setup.resolution, setup.samples, setup.up), (1, 512, 1024, Up::Y));
+    is(setup.lights[0].rect, light, [0.4 * r, 0.0, 0.0], [0.0, 0.0, 0.4 * r]);
+    assert_eq!((setup.lights.len(), setup.resolution, setup.sampling.count, setup.up), (1, 512, 1024, Up::Y));
 }
 
 #[test]
 fn settings_replace_the_defaults() {
     let upright = triangle([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 0.0, 2.0]]);
-    let settings = Settings { up: Some(Up::Z), light_size: Some(1.0), resolution: Some(7), samples: Some(32) };
+    let settings = Settings {
+        up: Some(Up::Z),
+        light_size: Some(1.0),
+        resolution: Some(7),
+        samples: Some(32),
+        ..Settings::default()
+    };
     let setup = Setup::new(upright, &settings).unwrap();
     let r = 2.0_f64.sqrt();
     is(setup.receiver, [1.0 - 2.0 * r, 2.0 * r, -0.02 * r], [4.0 * r, 0.0, 0.0], [0.0, -4.0 * r, 0.0]);
-    is(setup.lights[0], [1.0 - 0.5 * r, 0.5 * r, 2.98 * r], [r, 0.0, 0.0], [0.0, -r, 0.0]);
+    is(setup.lights[0].rect, [1.0 - 0.5 * r, 0.5 * r, 2.98 * r], [r, 0.0, 0.0], [0.0, -r, 0.0]);
     let request = setup.request();
     assert_eq!((request.resolution, request.samples, request.triangles.len()), (7, 32, 1));
-    assert_eq!((request.light, request.receiver), (setup.lights[0], setup.receiver));
+    assert_eq!((request.light, request.receiver), (setup.lights[0].rect, setup.receiver));
 }
 
 #[test]
@@ -59,14 +65,15 @@ fn settings_out_of_range_are_refused() {
     for resolution in [0, 8193, u32::MAX] {
         refused(Settings { resolution: Some(resolution), ..Settings::default() }, "resolution: ");
     }
-    for samples in [0, 1, 31, 33, 96, 992, 1025, 2048] {
+    for samples in [0, 65_537, u32::MAX] {
         refused(Settings { samples: Some(samples), ..Settings::default() }, "samples: ");
     }
     refused(Settings { resolution: Some(8192), samples: Some(1024), ..Settings::default() }, "samples: ");
     for size in [0.0, -0.0, -1.0, f64::NAN, f64::INFINITY, 16.5] {
         refused(Settings { light_size: Some(size), ..Settings::default() }, "light size: ");
     }
-    let largest = Settings { resolution: Some(8192), samples: Some(256), light_size: Some(16.0), up: None };
+    let largest =
+        Settings { resolution: Some(8192), samples: Some(256), light_size: Some(16.0), ..Settings::default() };
     assert!(Setup::new(generate(Generator::Box), &largest).is_ok());
 }
 
@@ -97,10 +104,10 @@ fn load(text: &str, settings: &Settings) -> sightlines_visibility::Result<Setup>
 #[test]
 fn a_scene_file_places_lights_and_receiver() {
     let setup = load(FILE, &Settings::default()).unwrap();
-    assert_eq!((setup.resolution, setup.samples, setup.scene.triangle_count()), (64, 128, 12));
+    assert_eq!((setup.resolution, setup.sampling.count, setup.scene.triangle_count()), (64, 128, 12));
     is(setup.receiver, [-4.0, 0.0, -4.0], [8.0, 0.0, 0.0], [0.0, 0.0, 8.0]);
-    is(setup.lights[0], [-1.0, 6.0, -1.0], [2.0, 0.0, 0.0], [0.0, 0.0, 2.0]);
-    is(setup.lights[1], [3.0, 6.0, -1.0], [2.0, 0.0, 0.0], [0.0, 0.0, 2.0]);
+    is(setup.lights[0].rect, [-1.0, 6.0, -1.0], [2.0, 0.0, 0.0], [0.0, 0.0, 2.0]);
+    is(setup.lights[1].rect, [3.0, 6.0, -1.0], [2.0, 0.0, 0.0], [0.0, 0.0, 2.0]);
 }
 
 #[test]
@@ -109,14 +116,14 @@ fn a_scene_file_may_leave_out_everything_but_the_scene() {
     let settings = Settings { light_size: Some(0.5), ..Settings::default() };
     let expected = Setup::new(generate(Generator::Palms), &settings).unwrap();
     assert_eq!((setup.lights, setup.receiver), (expected.lights, expected.receiver));
-    assert_eq!((setup.resolution, setup.samples), (512, 1024));
+    assert_eq!((setup.resolution, setup.sampling.count), (512, 1024));
 }
 
 #[test]
 fn settings_go_before_the_file() {
-    let settings = Settings { resolution: Some(9), samples: Some(32), up: Some(Up::Z), light_size: None };
+    let settings = Settings { resolution: Some(9), samples: Some(32), up: Some(Up::Z), ..Settings::default() };
     let setup = load(&FILE.replace("resolution = 64", "resolution = 0"), &settings).unwrap();
-    assert_eq!((setup.resolution, setup.samples, setup.up), (9, 32, Up::Z));
+    assert_eq!((setup.resolution, setup.sampling.count, setup.up), (9, 32, Up::Z));
 }
 
 #[test]
@@ -141,7 +148,7 @@ fn broken_scene_files_are_refused_with_their_line() {
         ("resolution = 64", "resolution = -1", "a.toml:2:"),
         ("resolution = 64", "resolution = 0", "a.toml:2: resolution: 0 texels a side are out of range"),
         ("resolution = 64", "resolution = 8193", "a.toml:2: resolution: 8193 texels"),
-        ("samples = 128", "samples = 100", "a.toml:3: samples: 100 samples cannot be baked"),
+        ("samples = 128", "samples = 0", "a.toml:3: samples: 0 samples cannot be baked"),
         ("samples = 128", "sample = 128", "a.toml:3: unknown field `sample`"),
         ("v = [0.0, 0.0, 2.0]", "v = [0.0, 2.0]", "a.toml:8:"),
         ("v = [0.0, 0.0, 2.0]\n", "", "a.toml:5: missing field `v`"),

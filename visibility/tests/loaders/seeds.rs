@@ -135,6 +135,7 @@ fn sets_of_two_texels() -> Vec<u8> {
     let sets = Sets {
         resolution: 2,
         samples: 32,
+        bits: 32,
         words: 1,
         masks: vec![0, 1, 2, u32::MAX],
         samples_uv: vec![[-5, 5]; 32],

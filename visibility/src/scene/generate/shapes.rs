@@ -41,6 +41,28 @@ pub(super) fn colonnade() -> Vec<Mesh> {
     parts
 }
 
+/// Hills and hollows on a square of 8 metres, its texture coordinates those of a map seen from above.
+pub(super) fn ground() -> Mesh {
+    const CELLS: u32 = 64;
+    let mut mesh = Mesh::named("ground");
+    let place = |i: u32| f64::from(i) / f64::from(CELLS);
+    let height = |x: f64, z: f64| {
+        let hills = libm::sin(9.0 * x + 1.0) * libm::sin(11.0 * z) + 0.5 * libm::sin(23.0 * x + 17.0 * z);
+        0.55 + 0.35 * hills
+    };
+    let corners = || (0..=CELLS).flat_map(|row| (0..=CELLS).map(move |column| (place(column), place(row))));
+    mesh.vertices(corners().map(|(x, z)| [8.0 * x - 4.0, height(x, z), 8.0 * z - 4.0]));
+    let map: Vec<[f64; 2]> = corners().map(|(x, z)| [x, 1.0 - z]).collect();
+    for row in 0..CELLS {
+        for column in 0..CELLS {
+            let first = row * (CELLS + 1) + column;
+            mesh.quad([first, first + CELLS + 1, first + CELLS + 2, first + 1]);
+        }
+    }
+    mesh.uvs = mesh.triangles.iter().map(|t| t.map(|vertex| map[vertex as usize])).collect();
+    mesh
+}
+
 /// A prism from the ground to the beam, closed at both ends.
 fn column(name: &str, x: f64, z: f64) -> Mesh {
     let mut mesh = Mesh::named(name);

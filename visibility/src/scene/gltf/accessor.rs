@@ -45,6 +45,18 @@ impl<'a> Buffers<'a> {
     /// Positions or normals, from floats or (quantised) integers.
     pub(super) fn vectors(&self, accessor: &Accessor<'_>, what: &str) -> Result<Vec<Vector>> {
         self.expect(accessor, Dimensions::Vec3, accessor.data_type() != DataType::U32, what, MAX_VERTICES)?;
+        Ok(self.scaled(accessor)?.as_chunks::<3>().0.to_vec())
+    }
+
+    /// Texture coordinates, from floats or integers.
+    pub(super) fn pairs(&self, accessor: &Accessor<'_>) -> Result<Vec<[f64; 2]>> {
+        let kind = accessor.data_type() != DataType::U32;
+        self.expect(accessor, Dimensions::Vec2, kind, "texture coordinates", MAX_VERTICES)?;
+        Ok(self.scaled(accessor)?.as_chunks::<2>().0.to_vec())
+    }
+
+    /// Every component, whole numbers scaled to [-1, 1] where the accessor says so.
+    fn scaled(&self, accessor: &Accessor<'_>) -> Result<Vec<f64>> {
         let largest = match accessor.data_type() {
             DataType::I8 => 127.0,
             DataType::U8 => 255.0,
@@ -53,7 +65,7 @@ impl<'a> Buffers<'a> {
             DataType::U32 | DataType::F32 => 1.0,
         };
         let unit = |v: f64| if accessor.normalized() { (v / largest).max(-1.0) } else { v };
-        Ok(self.values(accessor)?.as_chunks::<3>().0.iter().map(|p| p.map(unit)).collect())
+        Ok(self.values(accessor)?.into_iter().map(unit).collect())
     }
 
     /// Joints or their weights, four each.
