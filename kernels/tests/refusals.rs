@@ -200,11 +200,14 @@ fn region_sets_of_too_many_objects_channels_or_regions() {
 fn masks_of_several_lengths_and_short_tables() {
     let kernel = OpMap::new().expect("it compiles");
     let mut job = Job::new();
-    let table = kernel.table(&mut job, Truth::AND);
+    let [two, three] = [2, 3].map(|operands| kernel.table(&mut job, Truth::AND, operands));
     let [a, b, combined] = ["a", "b", "combined"].map(|name| job.zeroed(name, 40));
-    let [longer, short_table] = [41, 4_194_303].map(|len| job.zeroed("other", len));
-    refused(kernel.record(&mut job, table, [a, longer, b], combined), "41");
-    refused(kernel.record(&mut job, table, [a, a, b], longer), "41");
-    refused(kernel.record(&mut job, short_table, [a, a, b], combined), "4194303");
-    kernel.record(&mut job, table, [a, a, b], combined).expect("one mask may be taken twice");
+    let longer = job.zeroed("other", 41);
+    refused(kernel.record(&mut job, three, &[a, longer, b], combined), "41");
+    refused(kernel.record(&mut job, three, &[a, a, b], longer), "41");
+    refused(kernel.record(&mut job, two, &[a, a, b], combined), "16384");
+    refused(kernel.record(&mut job, three, &[a, b], combined), "4194304");
+    refused(kernel.record(&mut job, two, &[a], combined), "40");
+    kernel.record(&mut job, three, &[a, a, b], combined).expect("one mask may be taken twice");
+    kernel.record(&mut job, two, &[a, b], combined).expect("two masks");
 }

@@ -63,7 +63,7 @@ mod tests {
         assert_eq!(weight([0, 0, 1], [0, 0, -UNIT], [0, 0]), 1 << 48, "a cell away, face to face");
         assert_eq!(weight([0, 0, 16], [0, 0, -UNIT], [0, 0]), 1 << 40);
         assert_eq!(weight([0, 0, 16], [0, 0, UNIT], [0, 0]), 0, "turned away");
-        assert_eq!(weight([16, 0, 16], [0, 0, -UNIT], [0, 0]), 1 << 37, "half of half of a half");
+        assert_eq!(weight([16, 0, 16], [0, 0, -UNIT], [0, 0]), 1 << 38, "half the cosines, half the rest");
         for (r, n, s) in
             [([900, -20, 7000], [100, 0, -32767], [-300, 80]), ([-16384, 0, 900], [-20000, 9000, -20000], [16383, 5])]
         {

@@ -7,19 +7,18 @@
 //     op_map, byte i + 256 j + 65536 k         = op(i, j, k) bit by bit; four bytes a word, the first in the lowest bits
 //     combined[w], byte n                      = byte (a[w] byte n) + 256 (b[w] byte n) + 65536 (c[w] byte n) of op_map
 //
-// `combine` uses no bitwise operation: bytes are taken out and put together by the format conversions that a texture and a
+// Of two masks the first 256² bytes are enough, those of k = 0.
+//
+// `combine_two` and `combine_three` use no bitwise operation: bytes are taken out and put together by the format conversions that a texture and a
 // render target of RGBA8 have.
 
 struct Params {
-    /// Words to combine.
+    /// Words of masks to combine, or of a table to build.
     words: u32,
     truth: u32,
     /// Word of the first invocation.
     first: u32,
 }
-
-/// Words of the table: 256³ bytes.
-const TABLE: u32 = 4194304u;
 
 @group(0) @binding(0) var<uniform> params: Params;
 @group(0) @binding(1) var<storage, read_write> table: array<u32>;
@@ -47,7 +46,7 @@ fn operate(x: u32, y: u32, z: u32) -> u32 {
 @compute @workgroup_size(256)
 fn build(@builtin(global_invocation_id) id: vec3<u32>) {
     let word = params.first + id.x;
-    if (word >= TABLE) {
+    if (word >= params.words) {
         return;
     }
     let four = (word % 64u) * 0x04040404u + 0x03020100u;
@@ -60,7 +59,23 @@ fn look_up(i: u32, j: u32, k: u32) -> u32 {
 }
 
 @compute @workgroup_size(256)
-fn combine(@builtin(global_invocation_id) id: vec3<u32>) {
+fn combine_two(@builtin(global_invocation_id) id: vec3<u32>) {
+    let word = params.first + id.x;
+    if (word >= params.words) {
+        return;
+    }
+    let i = unpack4xU8(a[word]);
+    let j = unpack4xU8(b[word]);
+    combined[word] = pack4xU8(vec4<u32>(
+        look_up(i.x, j.x, 0u),
+        look_up(i.y, j.y, 0u),
+        look_up(i.z, j.z, 0u),
+        look_up(i.w, j.w, 0u),
+    ));
+}
+
+@compute @workgroup_size(256)
+fn combine_three(@builtin(global_invocation_id) id: vec3<u32>) {
     let word = params.first + id.x;
     if (word >= params.words) {
         return;
