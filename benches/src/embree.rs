@@ -220,6 +220,7 @@ mod tests {
     fn scene() -> Snapped {
         Snapped {
             samples: Samples { origin: [-16, -16], step: [4, 8], columns: 8, rows: 4 },
+            light: [[-18, -20], [32, 32]],
             receivers: Receivers { origin: [-10, -10], step: [10, 10], height: 100, columns: 4, rows: 4 },
             mirrored: [false, true],
             between: vec![CASTER],
@@ -237,7 +238,7 @@ mod tests {
 
     fn bake(scene: &Snapped) -> Bake {
         let masks = answers(scene).chunks(4).rev().flatten().copied().collect();
-        let sets = Sets { resolution: 4, samples: 32, words: 1, masks, samples_uv: Vec::new(), cell: 1.0 };
+        let sets = Sets { resolution: 4, samples: 32, bits: 32, words: 1, masks, samples_uv: Vec::new(), cell: 1.0 };
         Bake { sets, visible: Vec::new(), work: Work::default() }
     }
 
