@@ -121,6 +121,24 @@ pub enum Work {
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
     },
+    /// Ambient occlusion of a generated closed mesh on the interpreter and on lavapipe, one thread and all.
+    Ambient {
+        /// Take fewer directions: for a look, not for numbers that are kept.
+        #[arg(long)]
+        quick: bool,
+        /// Runs after the warm-up; with 0 the first run counts [default: 3; 1 with --quick].
+        #[arg(long, value_name = "N")]
+        runs: Option<u8>,
+        /// Trace the same rays with Embree, which is built on demand, and compare answers and times.
+        #[arg(long)]
+        embree: bool,
+        /// Adapter by part of its name or driver, beside lavapipe; may be repeated.
+        #[arg(long, value_name = "NAME")]
+        adapter: Vec<String>,
+        /// Folder of the results [default: target/bench of the workspace].
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+    },
     /// Visibility queries: kernels, the tables of the paper, targets, baselines.
     Queries {
         /// Measure little: for a look, not for numbers that are kept.
@@ -133,6 +151,15 @@ pub enum Work {
     /// Bake one case, for the parent process.
     #[command(hide = true)]
     Shadow {
+        /// The case, as JSON.
+        case: String,
+        /// Embree's program.
+        #[arg(long)]
+        tracer: Option<PathBuf>,
+    },
+    /// Compute one visibility matrix, for the parent process.
+    #[command(hide = true)]
+    Occlusion {
         /// The case, as JSON.
         case: String,
         /// Embree's program.
@@ -180,6 +207,10 @@ mod tests {
         assert!(matches!(
             parse("shadows palms --quick --embree --runs 0").unwrap().command,
             Some(Work::Shadows { quick: true, embree: true, runs: Some(0), .. })
+        ));
+        assert!(matches!(
+            parse("ambient --embree --runs 2 --adapter a --adapter b").unwrap().command,
+            Some(Work::Ambient { quick: false, embree: true, runs: Some(2), adapter, .. }) if adapter == ["a", "b"]
         ));
         assert!(matches!(parse("queries --quick").unwrap().command, Some(Work::Queries { quick: true, .. })));
         assert!(matches!(parse("worker").unwrap().command, Some(Work::Worker)));

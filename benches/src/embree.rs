@@ -1,8 +1,9 @@
-//! The same rays by Embree, in the same run: `cargo xtask bench shadows --embree`.
+//! The same rays by Embree, in the same run: `cargo xtask bench shadows --embree`, `cargo xtask bench ambient --embree`.
 //!
-//! `benches/embree` is a C++ program that is built here, on demand, and traces a bake's quantised triangles in packets of 16
-//! rays, from the receivers in the shadow's box alone. Its fast mode is timed; the answers of its watertight mode are held
-//! against our sets, bit for bit. Rays that differ are judged by the definition and by how near they pass to an edge.
+//! `benches/embree` is a C++ program that is built here, on demand, and traces quantised triangles in packets of 16 rays. Its
+//! fast mode is timed; the answers of its watertight mode are held against ours, bit for bit. Here are the program, its times
+//! and the rays of shadows, from the receivers in the shadow's box alone: those that differ are judged by the definition and
+//! by how near they pass to an edge. `ambient::rays` has the others.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -17,23 +18,31 @@ use crate::error::{Error, Result};
 use crate::statistics::median;
 
 /// Differing rays that are judged, evenly spread over all of them.
-const JUDGED: usize = 256;
+pub(crate) const JUDGED: usize = 256;
 
-/// What Embree took, and how its answers compare.
+/// What Embree took.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Traced {
+pub struct Times {
     /// Median CPU time of the acceleration structure.
     pub build_ns: f64,
-    /// Median CPU time of all rays of the box.
+    /// Median CPU time of all its rays.
     pub trace_ns: f64,
     /// CPU time of each run's rays.
     pub runs_ns: Vec<f64>,
     /// The same in the watertight mode, once.
     pub robust_ns: f64,
-    /// Rays that were traced; those outside the box are free.
+    /// Rays that were traced.
     pub rays: u64,
     /// Whether this build of Embree traces 16 rays at a time.
     pub packets16: bool,
+}
+
+/// What the rays of a shadow took, and how Embree's answers compare.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Traced {
+    /// Times; rays from outside the shadow's box are free.
+    #[serde(flatten)]
+    pub times: Times,
     /// How the watertight answers differ from ours.
     pub differing: Differing,
 }
@@ -81,8 +90,14 @@ pub fn build(folder: &Path) -> Result<PathBuf> {
 
 /// Traces a bake's rays `runs` times with `program`, its files in `folder`, and compares the answers with its sets.
 pub fn trace(program: &Path, folder: &Path, scene: &Snapped, bake: &Bake, runs: usize) -> Result<Traced> {
+    let (times, theirs) = time(program, folder, &words(scene), runs)?;
+    Ok(Traced { times, differing: compare(scene, bake, &theirs)? })
+}
+
+/// Traces a file `runs` times after a warm-up, and once in the watertight mode, whose answers it gives.
+pub(crate) fn time(program: &Path, folder: &Path, words: &[u32], runs: usize) -> Result<(Times, Vec<u32>)> {
     let [file, answers] = ["trace.rays", "trace.sets"].map(|name| folder.join(name));
-    fs::write(&file, bytes(&words(scene))).map_err(|e| Error::file(&file, e))?;
+    fs::write(&file, bytes(words)).map_err(|e| Error::file(&file, e))?;
     let run = |mode: &[&str]| -> Result<Report> {
         let output = Command::new(program).arg(&file).arg(&answers).args(mode).stdin(Stdio::null()).output();
         let output = output.map_err(|e| Error::Worker(format!("{}: {e}", program.display())))?;
@@ -95,28 +110,31 @@ pub fn trace(program: &Path, folder: &Path, scene: &Snapped, bake: &Bake, runs: 
     let reports = (0..runs.max(1)).map(|_| run(&[])).collect::<Result<Vec<_>>>()?;
     let robust = run(&["--robust"])?;
     let theirs = fs::read(&answers).map_err(|e| Error::file(&answers, e))?;
-    let theirs: Vec<u32> = theirs.as_chunks().0.iter().map(|word| u32::from_le_bytes(*word)).collect();
     let runs_ns: Vec<f64> = reports.iter().map(|report| report.trace_ns).collect();
     let builds: Vec<f64> = reports.iter().map(|report| report.build_ns).collect();
     let nothing = || Error::Measurement("no run".to_owned());
-    Ok(Traced {
+    let times = Times {
         build_ns: median(&builds).ok_or_else(nothing)?,
         trace_ns: median(&runs_ns).ok_or_else(nothing)?,
         runs_ns,
         robust_ns: robust.trace_ns,
         rays: robust.rays,
         packets16: robust.packets16,
-        differing: compare(scene, bake, &theirs)?,
-    })
+    };
+    Ok((times, theirs.as_chunks().0.iter().map(|word| u32::from_le_bytes(*word)).collect()))
 }
 
-/// The trace file, as `benches/embree/trace.h` and `shadows.cpp` describe it.
+/// The first words of a trace file of a kind, to the last triangle, as `benches/embree/trace.h` describes them.
+pub(crate) fn head(kind: u32, triangles: &[Triangle]) -> Vec<u32> {
+    let mut words = vec![u32::from_le_bytes(*b"SIGH"), u32::from_le_bytes(*b"TRAY"), kind, triangles.len() as u32];
+    words.extend(triangles.iter().flatten().flatten().map(|c| *c as u32));
+    words
+}
+
+/// The trace file of shadows, as `benches/embree/shadows.cpp` describes it.
 fn words(scene: &Snapped) -> Vec<u32> {
     let (receivers, samples) = (&scene.receivers, &scene.samples);
-    let triangles = scene.between.iter().chain(&scene.crossing);
-    let mut words = vec![u32::from_le_bytes(*b"SIGH"), u32::from_le_bytes(*b"TRAY"), 0];
-    words.push((scene.between.len() + scene.crossing.len()) as u32);
-    words.extend(triangles.flatten().flatten().map(|c| *c as u32));
+    let mut words = head(0, &[&scene.between[..], &scene.crossing].concat());
     words
         .extend([receivers.origin, receivers.step].as_flattened().iter().chain([&receivers.height]).map(|c| *c as u32));
     words.extend([receivers.columns, receivers.rows]);

@@ -25,6 +25,7 @@
 //! number, so that `ns_per_lane_op` compares time for the same work. [`instructions`] counts what the processor executes
 //! for it.
 
+pub mod ambient;
 pub mod baseline;
 pub mod cli;
 pub mod clock;

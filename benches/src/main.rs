@@ -7,8 +7,7 @@ use std::process::ExitCode;
 use clap::Parser;
 use sightlines_benches::cli::{Cli, Work};
 use sightlines_benches::error::{EXIT_OK, Error, Result};
-use sightlines_benches::shadows::Size;
-use sightlines_benches::{instructions, queries, run, shadows, worker};
+use sightlines_benches::{ambient, instructions, queries, run, shadows, worker};
 
 fn main() -> ExitCode {
     match start(&Cli::parse()) {
@@ -26,11 +25,18 @@ fn start(cli: &Cli) -> Result<u8> {
     match &cli.command {
         None => run::run(&own_path()?, &cli.bench, &mut io::stdout()),
         Some(Work::Shadows { filter, quick, runs, embree, out }) => {
-            let size = if *quick { Size::QUICK } else { Size::FULL };
-            let size = Size { runs: runs.map_or(size.runs, usize::from), ..size };
+            let size = if *quick { shadows::Size::QUICK } else { shadows::Size::FULL };
+            let size = shadows::Size { runs: runs.map_or(size.runs, usize::from), ..size };
             let (exe, folder) = (own_path()?, run::folder(out.as_deref())?);
             let cases = shadows::cases(size, filter.as_ref());
             shadows::run(&exe, &cases, *embree, &folder, &mut io::stdout(), &mut io::stderr())
+        }
+        Some(Work::Ambient { quick, runs, embree, adapter, out }) => {
+            let size = if *quick { ambient::Size::QUICK } else { ambient::Size::FULL };
+            let size = ambient::Size { runs: runs.map_or(size.runs, usize::from), ..size };
+            let (exe, folder) = (own_path()?, run::folder(out.as_deref())?);
+            let engines = ambient::engines(&exe, adapter, &mut io::stdout())?;
+            ambient::run(&exe, (size, &engines), *embree, &folder, &mut io::stdout(), &mut io::stderr())
         }
         Some(Work::Queries { quick, out }) => {
             let size = if *quick { queries::Size::QUICK } else { queries::Size::FULL };
@@ -38,6 +44,9 @@ fn start(cli: &Cli) -> Result<u8> {
         }
         Some(Work::Shadow { case, tracer }) => {
             shadows::serve(case, tracer.as_deref(), &mut io::stdout()).map(|()| EXIT_OK)
+        }
+        Some(Work::Occlusion { case, tracer }) => {
+            ambient::serve(case, tracer.as_deref(), &mut io::stdout()).map(|()| EXIT_OK)
         }
         Some(Work::Worker) => worker::serve(io::stdin().lock(), io::stdout()).map(|()| EXIT_OK),
         Some(Work::Repeat { simd, subject }) => {

@@ -180,6 +180,13 @@ fn long_ns(prepared: &mut Prepared<'_>, clock: Clock, sampling: Sampling) -> Res
     Ok(median(&times))
 }
 
+/// The greatest resident memory of this process in bytes, where the system tells.
+pub(crate) fn peak_bytes() -> Option<u64> {
+    let status = fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    line.trim().strip_suffix(" kB")?.trim().parse().ok().map(|kib: u64| kib * 1024)
+}
+
 /// The part of criterion's `estimates.json` that is used.
 #[derive(Deserialize)]
 struct Estimates {

@@ -273,7 +273,7 @@ fn difference(subject: &Subject, engines: &[Engine], series: &[Vec<Measured>]) -
 }
 
 /// The first core that this process may run on, where `taskset` can pin to it.
-fn core_to_pin() -> Option<String> {
+pub(crate) fn core_to_pin() -> Option<String> {
     let mut taskset = Command::new("taskset");
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let allowed = status.lines().find_map(|line| line.strip_prefix("Cpus_allowed_list:"))?.trim();

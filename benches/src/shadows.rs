@@ -4,7 +4,6 @@
 //! bake of the interpreter, by CPU time: snapping, binning and every kernel, one warm-up and then the runs. Rays are
 //! pairs of a receiver and a sample, whether or not a triangle is near them. On request [`embree`] traces them too.
 
-use std::fs;
 use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -22,6 +21,7 @@ use crate::clock::Clock;
 use crate::embree::{self, Traced};
 use crate::engine::Threads;
 use crate::error::{EXIT_FAILED, EXIT_OK, Error, Result};
+use crate::measure::peak_bytes;
 use crate::report::write_whole;
 use crate::statistics::median;
 use crate::table::{Columns, cell};
@@ -96,7 +96,7 @@ pub struct Baked {
 impl Baked {
     /// Our time over Embree's packets, its structure built beforehand; below 1 we are ahead.
     pub fn ratio(&self) -> Option<f64> {
-        self.embree.as_ref().map(|traced| self.median_ns / traced.trace_ns)
+        self.embree.as_ref().map(|traced| self.median_ns / traced.times.trace_ns)
     }
 
     fn name(&self) -> String {
@@ -172,13 +172,6 @@ fn measure(case: Case, tracer: Option<&Path>) -> Result<Baked> {
         runs_ns,
         case,
     })
-}
-
-/// The greatest resident memory of this process.
-fn peak_bytes() -> Option<u64> {
-    let status = fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
-    line.trim().strip_suffix(" kB")?.trim().parse().ok().map(|kib: u64| kib * 1024)
 }
 
 /// Runs the cases in child processes of `exe`, tells each to `progress` as it ends, prints the table to `out` and writes
@@ -280,10 +273,10 @@ fn embree_table(all: &[Baked]) -> String {
         lines.push(vec![
             baked.case.mesh.clone(),
             baked.case.light.to_string(),
-            cell(Some(traced.build_ns / 1e9), 3),
-            cell(Some(traced.trace_ns / 1e9), 2),
-            cell(Some(traced.robust_ns / 1e9), 2),
-            cell(Some(traced.rays as f64 / 1e6), 1),
+            cell(Some(traced.times.build_ns / 1e9), 3),
+            cell(Some(traced.times.trace_ns / 1e9), 2),
+            cell(Some(traced.times.robust_ns / 1e9), 2),
+            cell(Some(traced.times.rays as f64 / 1e6), 1),
             traced.differing.rays.to_string(),
             format!("{:.1e}", traced.differing.share),
             cell(Some(traced.differing.farthest_cells), 4),

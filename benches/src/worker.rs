@@ -129,18 +129,7 @@ impl Worker {
     /// Starts a child of `exe` for a setting.
     pub fn start(exe: &Path, setting: &Setting, pin: Option<&str>) -> Result<Self> {
         fs::create_dir_all(&setting.folder).map_err(|e| Error::file(&setting.folder, e))?;
-        let mut command = match pin {
-            Some(core) if setting.threads == Threads::One => {
-                let mut taskset = Command::new("taskset");
-                taskset.args(["-c", core]).arg(exe);
-                taskset
-            }
-            _ => Command::new(exe),
-        };
-        match setting.threads {
-            Threads::One => command.env("LP_NUM_THREADS", "1"),
-            Threads::All => command.env_remove("LP_NUM_THREADS"),
-        };
+        let mut command = command(exe, setting.threads, pin);
         let words = setting.folder.join(WORDS);
         let words = File::create(&words).map_err(|e| Error::file(&words, e))?;
         command.arg("worker").stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(words);
@@ -192,6 +181,23 @@ impl Drop for Worker {
 /// Writes the adapters for [`discover`].
 pub fn list_adapters(mut out: impl Write) -> Result<()> {
     reply_line(&mut out, &engine::adapters_here())
+}
+
+/// A child of `exe` with so many threads; one on one thread stays on the core `pin`, where there is one.
+pub(crate) fn command(exe: &Path, threads: Threads, pin: Option<&str>) -> Command {
+    let mut command = match pin {
+        Some(core) if threads == Threads::One => {
+            let mut taskset = Command::new("taskset");
+            taskset.args(["-c", core]).arg(exe);
+            taskset
+        }
+        _ => Command::new(exe),
+    };
+    match threads {
+        Threads::One => command.env("LP_NUM_THREADS", "1"),
+        Threads::All => command.env_remove("LP_NUM_THREADS"),
+    };
+    command
 }
 
 /// Lists adapters in a child process, so that a driver that crashes while it loads cannot end the run.

@@ -4,8 +4,9 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use sightlines_benches::engine::adapters_here;
-use sightlines_benches::{Engine, Report};
+use sightlines_benches::ambient::{self, Row};
+use sightlines_benches::engine::{adapters_here, interpreters};
+use sightlines_benches::{Clock, Engine, Report, Threads};
 
 /// A folder of its own for each test.
 struct Folder(PathBuf);
@@ -101,4 +102,42 @@ fn wrong_command_lines_end_with_2_and_empty_selections_with_4() {
     }
     let (code, out, _) = ran(bench(&folder.0, "^micro/ --list"));
     assert_eq!((code, out.lines().count()), (Some(0), 4));
+}
+
+#[test]
+fn ambient_occlusion_has_the_same_bits_in_every_setting_and_level_by_level() {
+    let folder = Folder::new("ambient");
+    let size = ambient::Size { subdivision: 8, level: 2, runs: 2 };
+    let engines = interpreters(&["all".to_owned()]).unwrap();
+    let exe = Path::new(env!("CARGO_BIN_EXE_sightlines-bench"));
+    let (mut out, mut progress) = (Vec::new(), Vec::new());
+    let code = ambient::run(exe, (size, &engines), false, &folder.0, &mut out, &mut progress).unwrap();
+    let out = String::from_utf8(out).unwrap();
+    assert_eq!(code, 0, "{out}");
+    assert!(out.starts_with("258 vertices, 512 triangles, 66 directions: 0.0 MiB of bits"), "{out}");
+    assert_eq!(String::from_utf8(progress).unwrap().lines().count(), 2 * engines.len());
+
+    let text = std::fs::read_to_string(folder.0.join("ambient.json")).unwrap();
+    let value: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let expected = serde_json::json!({ "subdivision": 8, "level": 2, "runs": 2, "threads": "One", "clock": "cpu" });
+    for (key, expected) in expected.as_object().unwrap() {
+        assert!((cfg!(not(unix)) && key == "clock") || value[0][key] == *expected, "{key} in {}", value[0]);
+    }
+    let rows: Vec<Row> = serde_json::from_value(value).unwrap();
+    for (row, pair) in rows.iter().zip(0..) {
+        assert_eq!(row.case.engine, engines[pair / 2]);
+        assert_eq!(row.clock, Clock::of(row.case.threads));
+        assert_eq!((row.digest, row.occluded), (rows[0].digest, rows[0].occluded));
+        assert_eq!((row.runs_ns.len(), row.matrix_bytes, row.embree.len()), (2, 4 * 3 * 258, 0));
+        // Only one thread does the same work each time.
+        assert_eq!(row.refinement.is_some(), row.case.threads == Threads::One);
+        assert!(row.case.threads == Threads::All || row.lane_ops == rows[0].lane_ops, "{row:?}");
+        assert!((row.ns_per_bit * 258.0 * 66.0 / row.median_ns - 1.0).abs() < 1e-9);
+        assert!(row.occluded > 0.3 && row.occluded < 0.7, "{}", row.occluded);
+    }
+    let refinement = rows[0].refinement.as_ref().unwrap();
+    assert_eq!(refinement.steps.iter().map(|step| step.directions).collect::<Vec<_>>(), [6, 18, 66]);
+    assert!(refinement.steps.is_sorted_by_key(|step| step.lane_ops));
+    assert_eq!(Some(refinement.alone), rows[0].lane_ops);
+    assert!(refinement.ratio >= 1.0, "{}", refinement.ratio);
 }

@@ -20,6 +20,7 @@ Commands:
                                   (`wgpu` or an adapter) is missing; ARGS go to `cargo test`
   bench [FILTER] [OPTIONS]        measure the interpreter against lavapipe and other adapters on every kernel
   bench shadows [FILTER] [--embree]  measure soft shadows of generated meshes, and Embree beside us
+  bench ambient [--embree]           measure ambient occlusion of a generated mesh, and Embree beside us
   bench queries                      measure visibility queries, beside the figures of their paper
   kernels list                    the kernels of the registry
   kernels show NAME [--emit wgsl|ir|code]

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use sightlines_backend::{Case, Expected, Job, Outputs, Size};
 
 use super::oracle::{self, Point};
-use super::{Mesh, Resident, VertexVisibility, octasphere, words};
+use super::{Mesh, Resident, VertexVisibility, bumpy, octasphere, words};
 use crate::light_sphere::{healpix, oracle::Direction};
 use crate::random;
 
@@ -167,14 +167,6 @@ fn layers() -> Mesh {
         p[2] = heights[i / 3 % heights.len()];
     }
     mesh
-}
-
-/// A closed mesh with bumps deep enough to hide one another.
-pub(super) fn bumpy(n: i32) -> Mesh {
-    octasphere(n, |[x, y, z]| {
-        let waves = libm::sin(9.0 * x + 2.0 * y) + libm::sin(8.0 * y - 3.0 * z) + libm::sin(7.0 * z + 4.0 * x);
-        11_000.0 + 1500.0 * waves
-    })
 }
 
 /// More vertices in one bin than a launch tests with a triangle, most of them behind two triangles.

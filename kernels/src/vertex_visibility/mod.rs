@@ -26,7 +26,7 @@ mod shapes;
 pub use frame::{Frame, MAX_LENGTH};
 pub use mesh::{MAX_TRIANGLES, MAX_VERTICES, Mesh};
 pub use resident::Resident;
-pub use shapes::octasphere;
+pub use shapes::{bumpy, octasphere};
 
 /// This kernel in the registry.
 pub const KERNEL: Kernel = Kernel {

@@ -45,6 +45,18 @@ pub fn octasphere(n: i32, radius: impl Fn([f64; 3]) -> f64) -> Mesh {
     Mesh { vertices, triangles }
 }
 
+/// An [`octasphere`] with bumps deep enough to hide one another.
+///
+/// # Panics
+///
+/// Where `n` is 0.
+pub fn bumpy(n: i32) -> Mesh {
+    octasphere(n, |[x, y, z]| {
+        let waves = libm::sin(9.0 * x + 2.0 * y) + libm::sin(8.0 * y - 3.0 * z) + libm::sin(7.0 * z + 4.0 * x);
+        11_000.0 + 1500.0 * waves
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
