@@ -9,10 +9,10 @@
 pub mod rays;
 mod tables;
 
+use std::fmt;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::Write;
 use std::path::Path;
-use std::process::Stdio;
 
 use criterion::measurement::Measurement;
 use serde::{Deserialize, Serialize};
@@ -21,12 +21,12 @@ use sightlines_kernels::vertex_visibility::bumpy;
 use sightlines_visibility::ambient::{Matrix, Sphere, Surface};
 use sightlines_visibility::scene::{Mesh, Scene};
 
+use crate::children::{self, Measured};
 use crate::clock::Clock;
 use crate::embree;
 use crate::engine::{self, Engine, INSTALL_LAVAPIPE, Threads};
-use crate::error::{EXIT_FAILED, EXIT_OK, Error, Result};
+use crate::error::{Error, Result};
 use crate::measure::peak_bytes;
-use crate::report::write_whole;
 use crate::run::core_to_pin;
 use crate::statistics::median;
 use crate::worker::{command, discover};
@@ -75,11 +75,13 @@ pub struct Case {
     pub threads: Threads,
 }
 
-impl Case {
-    fn name(&self) -> String {
-        format!("{}, {}", self.engine, self.threads)
+impl fmt::Display for Case {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}, {}", self.engine, self.threads)
     }
+}
 
+impl Case {
     /// Whether this is the engine whose work is counted and held against Embree's.
     fn is_reference(&self) -> bool {
         matches!(self.engine, Engine::Cpu { .. }) && self.threads == Threads::One
@@ -182,9 +184,20 @@ fn run_once(backend: &dyn Backend, surface: &Surface, sphere: Sphere, clock: Clo
 
 /// The child: computes a case and writes what it took. `tracer` is Embree's program; its files go beside it.
 pub fn serve(case: &str, tracer: Option<&Path>, out: &mut impl Write) -> Result<()> {
-    let case: Case = serde_json::from_str(case).map_err(|e| Error::Worker(format!("not a case: {e}")))?;
-    let line = serde_json::to_string(&measure(case, tracer)?).map_err(|e| Error::Worker(e.to_string()))?;
-    Ok(writeln!(out, "{line}")?)
+    children::serve::<Row>(case, tracer, out)
+}
+
+impl Measured for Row {
+    type Case = Case;
+    const COMMAND: &'static str = "occlusion";
+
+    fn measure(case: Case, tracer: Option<&Path>) -> Result<Self> {
+        measure(case, tracer)
+    }
+
+    fn median_ns(&self) -> f64 {
+        self.median_ns
+    }
 }
 
 fn measure(case: Case, tracer: Option<&Path>) -> Result<Row> {
@@ -295,48 +308,15 @@ pub fn run(
     let of =
         |engine: &Engine| [Threads::One, Threads::All].map(|threads| Case { size, engine: engine.clone(), threads });
     let cases: Vec<Case> = engines.iter().flat_map(of).collect();
-    let (mut rows, mut failures) = (Vec::new(), Vec::new());
-    for (index, case) in cases.iter().enumerate() {
-        let word = match child(exe, case, tracer.as_deref(), core.as_deref()) {
-            Ok(row) => {
-                let word = format!("{:.2} s", row.median_ns / 1e9);
-                rows.push(row);
-                word
-            }
-            Err(error) => {
-                failures.push(error.to_string());
-                "failed".to_owned()
-            }
-        };
-        writeln!(progress, "[{}/{}] {}: {word}", index + 1, cases.len(), case.name())?;
-    }
-    failures.extend(rows.iter().skip(1).filter(|row| row.digest != rows[0].digest).map(|row| {
-        let [this, first] = [row, &rows[0]].map(|row| row.case.name());
-        format!("{this} gave other bits than {first}")
-    }));
+    let start = |case: &Case| command(exe, case.threads, core.as_deref());
+    let (rows, mut failures) = children::measure_all::<Row>(&cases, start, tracer.as_deref(), progress)?;
+    failures.extend(
+        rows.iter()
+            .skip(1)
+            .filter(|row| row.digest != rows[0].digest)
+            .map(|row| format!("{} gave other bits than {}", row.case, rows[0].case)),
+    );
     failures.extend(rows.iter().flat_map(|row| &row.embree).filter_map(rays::Traced::unexplained));
     out.write_all(tables::render(&rows).as_bytes())?;
-    let path = folder.join("ambient.json");
-    let mut text = serde_json::to_string_pretty(&rows).map_err(|e| Error::file(&path, e.into()))?;
-    text.push('\n');
-    write_whole(&path, &text)?;
-    for failure in &failures {
-        writeln!(out, "FAILED: {failure}")?;
-    }
-    writeln!(out, "{} engines in {}, {} failed", rows.len(), path.display(), failures.len())?;
-    Ok(if failures.is_empty() { EXIT_OK } else { EXIT_FAILED })
-}
-
-fn child(exe: &Path, case: &Case, tracer: Option<&Path>, core: Option<&str>) -> Result<Row> {
-    let name = case.name();
-    let text = serde_json::to_string(case).map_err(|e| Error::Worker(e.to_string()))?;
-    let mut command = command(exe, case.threads, core);
-    command.args(["occlusion", &text]).args(tracer.map(|tracer| [Path::new("--tracer"), tracer]).into_iter().flatten());
-    let output = command.stdin(Stdio::null()).output();
-    let output = output.map_err(|e| Error::Worker(format!("{}: {e}", exe.display())))?;
-    if !output.status.success() {
-        let words = String::from_utf8_lossy(&output.stderr);
-        return Err(Error::Worker(format!("{name} ended with {}: {}", output.status, words.trim())));
-    }
-    serde_json::from_slice(&output.stdout).map_err(|e| Error::Worker(format!("{name}: not a result: {e}")))
+    children::finish(&rows, &failures, &folder.join("ambient.json"), out)
 }

@@ -27,6 +27,7 @@
 
 pub mod ambient;
 pub mod baseline;
+mod children;
 pub mod cli;
 pub mod clock;
 pub mod embree;

@@ -4,9 +4,10 @@
 //! bake of the interpreter, by CPU time: snapping, binning and every kernel, one warm-up and then the runs. Rays are
 //! pairs of a receiver and a sample, whether or not a triangle is near them. On request [`embree`] traces them too.
 
+use std::fmt;
 use std::io::Write;
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::Command;
 
 use criterion::measurement::Measurement;
 use regex::Regex;
@@ -17,12 +18,12 @@ use sightlines_visibility::setup::{Settings, Setup};
 use sightlines_visibility::shadows::bake;
 use sightlines_visibility::shadows::snap::snap;
 
+use crate::children::{self, Measured};
 use crate::clock::Clock;
 use crate::embree::{self, Traced};
 use crate::engine::Threads;
-use crate::error::{EXIT_FAILED, EXIT_OK, Error, Result};
+use crate::error::{Error, Result};
 use crate::measure::peak_bytes;
-use crate::report::write_whole;
 use crate::statistics::median;
 use crate::table::{Columns, cell};
 
@@ -64,6 +65,12 @@ pub struct Case {
     pub size: Size,
 }
 
+impl fmt::Display for Case {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}/{}", self.mesh, self.light)
+    }
+}
+
 /// What a case took.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Baked {
@@ -98,10 +105,6 @@ impl Baked {
     pub fn ratio(&self) -> Option<f64> {
         self.embree.as_ref().map(|traced| self.median_ns / traced.times.trace_ns)
     }
-
-    fn name(&self) -> String {
-        format!("{}/{}", self.case.mesh, self.case.light)
-    }
 }
 
 /// All cases, meshes by size.
@@ -109,7 +112,7 @@ pub fn cases(size: Size, filter: Option<&Regex>) -> Vec<Case> {
     let mut meshes: Vec<String> = SPHERES.iter().map(|n| format!("bumpy-{n}")).collect();
     meshes.insert(1, "palms".to_owned());
     let cases = meshes.into_iter().flat_map(|mesh| LIGHTS.map(|light| Case { mesh: mesh.clone(), light, size }));
-    cases.filter(|case| filter.is_none_or(|filter| filter.is_match(&format!("{}/{}", case.mesh, case.light)))).collect()
+    cases.filter(|case| filter.is_none_or(|filter| filter.is_match(&case.to_string()))).collect()
 }
 
 fn scene(mesh: &str) -> Result<Scene> {
@@ -122,10 +125,20 @@ fn scene(mesh: &str) -> Result<Scene> {
 
 /// The child: bakes a case and writes what it took. `tracer` is Embree's program; its files go beside it.
 pub fn serve(case: &str, tracer: Option<&Path>, out: &mut impl Write) -> Result<()> {
-    let case: Case = serde_json::from_str(case).map_err(|e| Error::Worker(format!("not a case: {e}")))?;
-    let baked = measure(case, tracer)?;
-    let line = serde_json::to_string(&baked).map_err(|e| Error::Worker(e.to_string()))?;
-    Ok(writeln!(out, "{line}")?)
+    children::serve::<Baked>(case, tracer, out)
+}
+
+impl Measured for Baked {
+    type Case = Case;
+    const COMMAND: &'static str = "shadow";
+
+    fn measure(case: Case, tracer: Option<&Path>) -> Result<Self> {
+        measure(case, tracer)
+    }
+
+    fn median_ns(&self) -> f64 {
+        self.median_ns
+    }
 }
 
 fn measure(case: Case, tracer: Option<&Path>) -> Result<Baked> {
@@ -137,7 +150,7 @@ fn measure(case: Case, tracer: Option<&Path>) -> Result<Baked> {
         samples: Some(samples),
         ..Settings::default()
     };
-    let failed = |e: sightlines_visibility::Error| Error::Measurement(format!("{}/{}: {e}", case.mesh, case.light));
+    let failed = |e: sightlines_visibility::Error| Error::Measurement(format!("{case}: {e}"));
     let request = Setup::new(scene, &settings).map_err(failed)?.request();
     let backend = CpuBackend::new(Config { threads: 1, ..Config::default() });
     let clock = Clock::of(Threads::One);
@@ -190,56 +203,21 @@ pub fn run(
         ));
     }
     let tracer = if with_embree { Some(embree::build(folder)?) } else { None };
-    let (mut all, mut failures) = (Vec::new(), Vec::new());
-    for (index, case) in cases.iter().enumerate() {
-        let word = match child(exe, case, tracer.as_deref()) {
-            Ok(baked) => {
-                let word = format!("{:.2} s", baked.median_ns / 1e9);
-                all.push(baked);
-                word
-            }
-            Err(error) => {
-                failures.push(error.to_string());
-                "failed".to_owned()
-            }
-        };
-        writeln!(progress, "[{}/{}] {}/{}: {word}", index + 1, cases.len(), case.mesh, case.light)?;
-    }
+    let (all, mut failures) =
+        children::measure_all::<Baked>(cases, |_| Command::new(exe), tracer.as_deref(), progress)?;
     out.write_all(table(&all).as_bytes())?;
     if with_embree {
         out.write_all(embree_table(&all).as_bytes())?;
         failures.extend(all.iter().filter_map(unequal));
     }
-    let path = folder.join("shadows.json");
-    let mut text = serde_json::to_string_pretty(&all).map_err(|e| Error::file(&path, e.into()))?;
-    text.push('\n');
-    write_whole(&path, &text)?;
-    for failure in &failures {
-        writeln!(out, "FAILED: {failure}")?;
-    }
-    writeln!(out, "{} cases in {}, {} failed", all.len(), path.display(), failures.len())?;
-    Ok(if failures.is_empty() { EXIT_OK } else { EXIT_FAILED })
+    children::finish(&all, &failures, &folder.join("shadows.json"), out)
 }
 
 /// A differing ray that the definition answers against us, or that is not at an edge.
 fn unequal(baked: &Baked) -> Option<String> {
     let differing = &baked.embree.as_ref()?.differing;
     let explained = differing.ours_right == differing.judged && differing.farthest_cells <= AT_AN_EDGE;
-    (!explained).then(|| format!("{}: Embree's answers differ beyond the edges: {differing:?}", baked.name()))
-}
-
-fn child(exe: &Path, case: &Case, tracer: Option<&Path>) -> Result<Baked> {
-    let name = format!("{}/{}", case.mesh, case.light);
-    let text = serde_json::to_string(case).map_err(|e| Error::Worker(e.to_string()))?;
-    let mut command = Command::new(exe);
-    command.args(["shadow", &text]).args(tracer.map(|tracer| [Path::new("--tracer"), tracer]).into_iter().flatten());
-    let output = command.stdin(Stdio::null()).output();
-    let output = output.map_err(|e| Error::Worker(format!("{}: {e}", exe.display())))?;
-    if !output.status.success() {
-        let words = String::from_utf8_lossy(&output.stderr);
-        return Err(Error::Worker(format!("{name} ended with {}: {}", output.status, words.trim())));
-    }
-    serde_json::from_slice(&output.stdout).map_err(|e| Error::Worker(format!("{name}: not a result: {e}")))
+    (!explained).then(|| format!("{}: Embree's answers differ beyond the edges: {differing:?}", baked.case))
 }
 
 fn table(all: &[Baked]) -> String {

@@ -141,3 +141,17 @@ fn ambient_occlusion_has_the_same_bits_in_every_setting_and_level_by_level() {
     assert_eq!(Some(refinement.alone), rows[0].lane_ops);
     assert!(refinement.ratio >= 1.0, "{}", refinement.ratio);
 }
+
+#[cfg(unix)]
+#[test]
+fn children_that_die_are_failures_and_no_rows() {
+    let folder = Folder::new("dead");
+    let size = ambient::Size { subdivision: 4, level: 0, runs: 0 };
+    let engines = interpreters(&[]).unwrap();
+    let (mut out, mut progress) = (Vec::new(), Vec::new());
+    let code = ambient::run(Path::new("false"), (size, &engines), false, &folder.0, &mut out, &mut progress).unwrap();
+    let (out, progress) = (String::from_utf8(out).unwrap(), String::from_utf8(progress).unwrap());
+    assert_eq!((code, out.matches("FAILED: ").count()), (1, 2), "{out}");
+    assert!(progress.starts_with(&format!("[1/2] {}, 1 thread: failed\n", engines[0])), "{progress}");
+    assert_eq!(std::fs::read_to_string(folder.0.join("ambient.json")).unwrap(), "[]\n");
+}

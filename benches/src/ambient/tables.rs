@@ -21,7 +21,7 @@ pub(super) fn render(rows: &[Row]) -> String {
         levels(refinement, &mut text);
     }
     for row in rows.iter().filter(|row| !row.embree.is_empty()) {
-        let _ = writeln!(text, "\nEmbree, packets of 16 rays, against {}", row.case.name());
+        let _ = writeln!(text, "\nEmbree, packets of 16 rays, against {}", row.case);
         embree(row).render(&mut text);
     }
     text
