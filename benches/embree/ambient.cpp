@@ -37,11 +37,9 @@ uint32_t place(const Direction& direction) {
 /// Up to sixteen rays, occluded or not, as bits.
 uint32_t trace16(RTCScene scene, const int32_t* from, const std::vector<Direction>& directions, const uint32_t* chosen,
                  uint32_t count) {
-    alignas(64) int valid[16];
     alignas(64) RTCRay16 rays;
     for (uint32_t i = 0; i < 16; ++i) {
         const Direction& d = directions[chosen[std::min(i, count - 1)]];
-        valid[i] = i < count ? -1 : 0;
         rays.org_x[i] = float(from[0]);
         rays.org_y[i] = float(from[1]);
         rays.org_z[i] = float(from[2]);
@@ -50,25 +48,8 @@ uint32_t trace16(RTCScene scene, const int32_t* from, const std::vector<Directio
         rays.dir_z[i] = float(d.axes[2]);
         rays.tnear[i] = d.nearest;
         rays.tfar[i] = 1e30f;
-        rays.time[i] = 0;
-        rays.mask[i] = ~0u;
-        rays.id[i] = 0;
-        rays.flags[i] = 0;
     }
-#if EMBREE >= 4
-    RTCOccludedArguments arguments;
-    rtcInitOccludedArguments(&arguments);
-    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
-    rtcOccluded16(valid, scene, &rays, &arguments);
-#else
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcOccluded16(valid, scene, &context, &rays);
-#endif
-    uint32_t occluded = 0;
-    for (uint32_t i = 0; i < count; ++i) occluded |= uint32_t(rays.tfar[i] < 0) << i;
-    return occluded;
+    return occluded16(scene, rays, count);
 }
 
 } // namespace

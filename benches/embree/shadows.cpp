@@ -56,10 +56,8 @@ Range box(const std::vector<float>& vertices, const Lattice& receivers, const La
 
 /// Sixteen samples from s on, hidden from the receiver or not, as bits.
 uint32_t trace16(RTCScene scene, const float receiver[3], const std::vector<float>& offsets, uint32_t s) {
-    alignas(64) int valid[16];
     alignas(64) RTCRay16 rays;
     for (uint32_t i = 0; i < 16; ++i) {
-        valid[i] = -1;
         rays.org_x[i] = receiver[0];
         rays.org_y[i] = receiver[1];
         rays.org_z[i] = receiver[2];
@@ -68,25 +66,8 @@ uint32_t trace16(RTCScene scene, const float receiver[3], const std::vector<floa
         rays.dir_z[i] = -receiver[2];
         rays.tnear[i] = 0;
         rays.tfar[i] = 1;
-        rays.time[i] = 0;
-        rays.mask[i] = ~0u;
-        rays.id[i] = 0;
-        rays.flags[i] = 0;
     }
-#if EMBREE >= 4
-    RTCOccludedArguments arguments;
-    rtcInitOccludedArguments(&arguments);
-    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
-    rtcOccluded16(valid, scene, &rays, &arguments);
-#else
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcOccluded16(valid, scene, &context, &rays);
-#endif
-    uint32_t hidden = 0;
-    for (uint32_t i = 0; i < 16; ++i) hidden |= uint32_t(rays.tfar[i] < 0) << i;
-    return hidden;
+    return occluded16(scene, rays, 16);
 }
 
 } // namespace

@@ -61,6 +61,32 @@ struct Scene {
     bool has_packets16() const;
 };
 
+/// Which of the first `count` rays of a packet are occluded, as bits; the caller sets origins, directions and ranges.
+inline uint32_t occluded16(RTCScene scene, RTCRay16& rays, uint32_t count) {
+    alignas(64) int valid[16];
+    for (uint32_t i = 0; i < 16; ++i) {
+        valid[i] = i < count ? -1 : 0;
+        rays.time[i] = 0;
+        rays.mask[i] = ~0u;
+        rays.id[i] = 0;
+        rays.flags[i] = 0;
+    }
+#if EMBREE >= 4
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    rtcOccluded16(valid, scene, &rays, &arguments);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcOccluded16(valid, scene, &context, &rays);
+#endif
+    uint32_t occluded = 0;
+    for (uint32_t i = 0; i < count; ++i) occluded |= uint32_t(rays.tfar[i] < 0) << i;
+    return occluded;
+}
+
 /// Traces a file of kind 0 from its word after the triangles, and prints the object.
 void trace_shadows(const Scene& scene, Words& words, const std::string& answers);
 
