@@ -245,9 +245,7 @@ impl VertexVisibility {
         let Resident { vertices, .. } = *mesh;
         let program = job.program(&self.program);
         let (pair, batch) = (pairs.start, pairs.len() as u32);
-        if pair > 0 {
-            job.record(Command::Clear { buffer: counts.id(), offset: 0, size: counts.len() * 4 });
-        }
+        job.record(Command::Clear { buffer: counts.id(), offset: 0, size: counts.len() * 4 });
         let groups = plan.vertices.div_ceil(VERTICES).max(1);
         pieces::record(job, batch * groups, u64::from(8 * VERTICES), |job, piece| {
             let params = job.value("count params", &plan.params(pair, groups, &piece, 0));
