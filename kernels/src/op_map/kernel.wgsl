@@ -28,19 +28,19 @@ struct Params {
 @group(0) @binding(5) var<storage, read> c: array<u32>;
 @group(0) @binding(6) var<storage, read_write> combined: array<u32>;
 
-/// The bits of `word` where `wanted` is 1, its complement where it is 0.
-fn literal(word: u32, wanted: u32) -> u32 {
-    return word ^ (wanted - 1u);
+/// Bit by bit `one` where `bits` is 1, else `zero`.
+fn pick(bits: u32, zero: u32, one: u32) -> u32 {
+    return zero ^ (bits & (zero ^ one));
 }
 
-/// The operation on whole words: the union of its true rows.
+/// The operation on whole words: the truth table's rows, chosen between by x, then by y, then by z.
 fn operate(x: u32, y: u32, z: u32) -> u32 {
-    var result = 0u;
-    for (var row = 0u; row < 8u; row++) {
-        let is_true = 0u - ((params.truth >> row) & 1u);
-        result |= is_true & literal(x, row & 1u) & literal(y, (row >> 1u) & 1u) & literal(z, row >> 2u);
-    }
-    return result;
+    let rows = vec4<u32>(0u, 1u, 2u, 3u);
+    let low = vec4<u32>(0u) - ((vec4<u32>(params.truth) >> rows) & vec4<u32>(1u));
+    let high = vec4<u32>(0u) - ((vec4<u32>(params.truth) >> (rows + 4u)) & vec4<u32>(1u));
+    let without_z = pick(y, pick(x, low.x, low.y), pick(x, low.z, low.w));
+    let with_z = pick(y, pick(x, high.x, high.y), pick(x, high.z, high.w));
+    return pick(z, without_z, with_z);
 }
 
 @compute @workgroup_size(256)
