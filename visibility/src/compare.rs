@@ -3,7 +3,8 @@
 //! [`projections`] draws all triangles once from each sample of the light, as Heckbert and Herf do (1997); what it gives
 //! must equal what `bake` gives, bit for bit. [`volumes`] adds up what silhouettes seen from the light's centre hide, as
 //! soft shadow volumes do (Assarsson et al. 2003): too dark where casters stand behind each other, and wrong where another
-//! point of the light sees another silhouette. Eisemann and Décoret, *Visibility Sampling on GPU and Applications*, sections 8 and 10, compare with both.
+//! point of the light sees another silhouette. Eisemann and Décoret, *Visibility Sampling on GPU and Applications*, sections
+//! 8 and 10, compare with both.
 
 use std::path::Path;
 
