@@ -18,6 +18,7 @@ use crate::vector::{add, cross, length, scale};
 
 mod accessor;
 mod animation;
+mod channel;
 
 use accessor::Buffers;
 pub use animation::Animated;

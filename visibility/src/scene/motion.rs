@@ -34,7 +34,7 @@ impl Motion {
     ///
     /// # Errors
     ///
-    /// A file that [`load`](super::load()) refuses, that has no animation, or one that is broken or cubic.
+    /// A file that [`load`](super::load()) refuses, that has no animation, or a broken one.
     pub fn load(path: &Path) -> Result<Self> {
         let bytes = load::read(path)?;
         Ok(Motion::Gltf(Box::new(Animated::read(path, &bytes)?)))

@@ -83,11 +83,18 @@ impl<'a> Buffers<'a> {
         Ok(self.values(accessor)?.as_chunks().0.iter().map(columns).collect())
     }
 
-    /// Times or values of an animation, `width` numbers each.
-    pub(super) fn keys(&self, accessor: &Accessor<'_>, width: usize) -> Result<Vec<f64>> {
-        let shape = [Dimensions::Scalar, Dimensions::Vec2, Dimensions::Vec3, Dimensions::Vec4][width - 1];
-        self.expect(accessor, shape, accessor.data_type() == DataType::F32, "keys", MAX_VERTICES)?;
+    /// Times of an animation, in seconds.
+    pub(super) fn times(&self, accessor: &Accessor<'_>) -> Result<Vec<f64>> {
+        self.expect(accessor, Dimensions::Scalar, accessor.data_type() == DataType::F32, "times", MAX_VERTICES)?;
         self.values(accessor)
+    }
+
+    /// Values of an animation, `width` numbers each: floats, or of rotations whole numbers that stand for [-1, 1].
+    pub(super) fn keys(&self, accessor: &Accessor<'_>, width: usize) -> Result<Vec<f64>> {
+        let shape = if width == 4 { Dimensions::Vec4 } else { Dimensions::Vec3 };
+        let whole = width == 4 && accessor.normalized() && accessor.data_type() != DataType::U32;
+        self.expect(accessor, shape, whole || accessor.data_type() == DataType::F32, "keys", MAX_VERTICES)?;
+        self.scaled(accessor)
     }
 
     /// Corners of faces.

@@ -1,15 +1,16 @@
-//! Animations of glTF: channels of nodes, linear or in steps, and skins over them.
+//! Animations of glTF: nodes that channels move, and skins over them.
 //!
-//! Rotations are interpolated along the sphere, as the format says; a skinned vertex is the weighted mean of where its
-//! joints take it. Morph targets are left in their bind pose. Everything is f64 and `libm`.
+//! A skinned vertex is the weighted mean of where its joints take it. Morph targets are left in their bind pose.
+//! Everything is f64 and `libm`.
 
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
-use gltf::animation::{Interpolation, Property};
+use gltf::animation::Property;
 use gltf::{Document, Node, Semantic};
 
 use super::accessor::Buffers;
+use super::channel::Channel;
 use super::{REMEDY, Walk, affine, parse, roots};
 use crate::error::{Place, Result};
 use crate::scene::{Affine, MAX_TRIANGLES, MAX_VERTICES, Mesh, Scene, World, limit, load};
@@ -38,7 +39,7 @@ struct Joint {
 
 /// The transform of a node that nothing moves.
 #[derive(Clone, Copy, Debug)]
-enum Rest {
+pub(super) enum Rest {
     Matrix(Affine),
     Parts { translation: [f64; 3], rotation: [f64; 4], scale: [f64; 3] },
 }
@@ -48,15 +49,6 @@ enum Rest {
 struct Skinned {
     mesh: Mesh,
     joints: Vec<[(usize, f64); 4]>,
-}
-
-#[derive(Clone, Debug)]
-struct Channel {
-    node: usize,
-    property: Property,
-    steps: bool,
-    times: Vec<f64>,
-    values: Vec<f64>,
 }
 
 impl Animated {
@@ -134,7 +126,7 @@ impl Animated {
 
     /// The time of the last key.
     pub(in crate::scene) fn duration(&self) -> f64 {
-        self.channels.iter().filter_map(|channel| channel.times.last()).fold(0.0, |most: f64, time| most.max(*time))
+        self.channels.iter().map(Channel::end).fold(0.0, f64::max)
     }
 
     pub(in crate::scene) fn at(&self, time: f64) -> Result<Scene> {
@@ -231,88 +223,5 @@ impl Skinned {
         };
         let vertices = self.mesh.vertices.iter().zip(&self.joints).map(vertex).collect();
         Mesh { vertices, triangles: self.mesh.triangles.clone(), ..Mesh::default() }
-    }
-}
-
-impl Channel {
-    fn read(path: &Path, buffers: &Buffers<'_>, node: usize, channel: &gltf::animation::Channel<'_>) -> Result<Self> {
-        let place = || Place::file(path).element(format!("channel {} of the animation", channel.index()));
-        let (sampler, property) = (channel.sampler(), channel.target().property());
-        let steps = match sampler.interpolation() {
-            Interpolation::Linear => false,
-            Interpolation::Step => true,
-            Interpolation::CubicSpline => {
-                let remedy = "export it with linear keys, or bake it to frames";
-                return Err(place().error("it is interpolated by cubic splines, which are not read", remedy));
-            }
-        };
-        let width = if property == Property::Rotation { 4 } else { 3 };
-        let (times, values) = (buffers.keys(&sampler.input(), 1)?, buffers.keys(&sampler.output(), width)?);
-        let rising = times.windows(2).all(|pair| pair[0] < pair[1]) && times.iter().all(|time| time.is_finite());
-        if times.is_empty() || !rising || values.len() != width * times.len() {
-            let what = format!("{} times, which must rise, and {} values", times.len(), values.len() / width);
-            return Err(place().error(what, REMEDY));
-        }
-        Ok(Channel { node, property, steps, times, values })
-    }
-
-    fn apply(&self, time: f64, rest: &mut Rest) {
-        // A node with a matrix is not animated, as the format says.
-        let Rest::Parts { translation, rotation, scale } = rest else { return };
-        match self.property {
-            Property::Translation => {
-                *translation = self.sample(time, |a, b, t| [0, 1, 2].map(|i| a[i] + (b[i] - a[i]) * t))
-            }
-            Property::Scale => *scale = self.sample(time, |a, b, t| [0, 1, 2].map(|i| a[i] + (b[i] - a[i]) * t)),
-            Property::Rotation => *rotation = self.sample(time, between),
-            Property::MorphTargetWeights => {}
-        }
-    }
-
-    /// The value at a time, by its neighbours.
-    fn sample<const N: usize>(&self, time: f64, mix: impl Fn([f64; N], [f64; N], f64) -> [f64; N]) -> [f64; N] {
-        let values = self.values.as_chunks::<N>().0;
-        let after = self.times.partition_point(|key| *key <= time);
-        let (Some(before), true) = (after.checked_sub(1), after < self.times.len()) else {
-            return values[after.min(values.len() - 1)];
-        };
-        if self.steps {
-            return values[before];
-        }
-        let part = (time - self.times[before]) / (self.times[after] - self.times[before]);
-        mix(values[before], values[after], part)
-    }
-}
-
-/// The rotation between two, along the shorter arc.
-fn between(a: [f64; 4], b: [f64; 4], t: f64) -> [f64; 4] {
-    let dot = (0..4).map(|i| a[i] * b[i]).sum::<f64>();
-    let b = if dot < 0.0 { b.map(|c| -c) } else { b };
-    let angle = libm::acos(dot.abs().min(1.0));
-    let (from, to) = if angle > 1e-4 {
-        let whole = libm::sin(angle);
-        (libm::sin((1.0 - t) * angle) / whole, libm::sin(t * angle) / whole)
-    } else {
-        (1.0 - t, t)
-    };
-    let mixed = [0, 1, 2, 3].map(|i| from * a[i] + to * b[i]);
-    let length = mixed.iter().map(|c| c * c).sum::<f64>().sqrt();
-    if length > 0.0 { mixed.map(|c| c / length) } else { [0.0, 0.0, 0.0, 1.0] }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn rotations_go_the_shorter_way_at_an_even_pace() {
-        let half = std::f64::consts::FRAC_1_SQRT_2;
-        let quarter = [0.0, 0.0, half, half];
-        for target in [quarter, quarter.map(|c| -c)] {
-            let third = between([0.0, 0.0, 0.0, 1.0], target, 1.0 / 3.0);
-            let expected = [0.0, 0.0, libm::sin(std::f64::consts::PI / 12.0), libm::cos(std::f64::consts::PI / 12.0)];
-            assert!((0..4).all(|i| (third[i] - expected[i]).abs() < 1e-12), "{third:?}");
-        }
-        assert_eq!(between(quarter, quarter, 0.7).map(|c| (c * 1e9).round()), quarter.map(|c| (c * 1e9).round()));
     }
 }
