@@ -1,10 +1,11 @@
 //! Light from far away: a latitude–longitude map of an environment, and what of it each direction brings.
 //!
 //! "Ambient occlusion by occlusion queries", section 5: the map is filtered with a Gaussian and looked up at the
-//! light's directions; turning the environment turns the look-ups, and no visibility changes. Maps follow the usual
-//! convention: seen from inside, the middle column looks along −z with +x to its right and +y up, where y is up. Maps
-//! are brought to at most 512 columns by averaging areas before they go to the device. Invariant: what reaches the
-//! device is integers, made in IEEE f64 and `libm` from finite texels that are not negative.
+//! light's directions; turning the environment turns the look-ups, and no visibility changes. The Gaussian is the
+//! sphere's ([`Filter::Sphere`]) or, as in the paper, the map's. Maps follow the usual convention: seen from inside, the
+//! middle column looks along −z with +x to its right and +y up, where y is up. Maps are brought to at most 512 columns
+//! by averaging solid angles first. Invariant: what reaches the device is integers, made in IEEE f64 and `libm` from
+//! finite texels that are not negative.
 
 use glam::{IVec4, UVec4};
 use sightlines_backend::host::Buffer;
@@ -14,10 +15,12 @@ use sightlines_kernels::illumination::{
 };
 use sightlines_kernels::light_sphere::{LightSphere, Rotation};
 
+use super::blur::{self, Sky};
 use super::sphere::{Sphere, Weighting};
+use super::turn::Turn;
 use crate::error::{Place, Result};
 use crate::setup::Up;
-use crate::vector::Vector;
+use crate::vector::{Vector, normalize};
 
 /// Columns that a map is brought down to.
 const COLUMNS: u32 = 512;
@@ -40,10 +43,23 @@ pub struct Lighting {
     pub up: Up,
     /// Degrees by which the environment is turned about that axis, counter-clockwise as seen from above.
     pub turn: f64,
+    /// How the scene itself has turned since its matrix was made.
+    pub pose: Turn,
     /// Standard deviation of the Gaussian, in degrees; 0 for none. Nothing: half the spacing of the directions.
     pub blur: Option<f64>,
+    /// Where the Gaussian is one.
+    pub filter: Filter,
     /// How directions are weighed.
     pub weighting: Weighting,
+}
+
+/// Where a Gaussian filters an environment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Filter {
+    /// On the sphere, by the angle from a direction: light is neither gained nor lost, wherever it stands.
+    Sphere,
+    /// In the map, by texels, as in the paper: towards the poles too narrow along rows, with too much light.
+    Map,
 }
 
 /// What each direction of a sphere brings.
@@ -92,8 +108,8 @@ impl Environment {
     /// The mean over the sphere of each channel.
     pub fn mean(&self) -> [f64; 3] {
         let (mut sum, mut whole) = ([0.0; 3], 0.0);
-        for (row, texels) in self.texels.chunks(self.width as usize).enumerate() {
-            let share = libm::sin(std::f64::consts::PI * (row as f64 + 0.5) / f64::from(self.height));
+        for (row, texels) in (0..).zip(self.texels.chunks(self.width as usize)) {
+            let share = self.share(row);
             whole += share * texels.len() as f64;
             texels.iter().for_each(|t| (0..3).for_each(|c| sum[c] += share * f64::from(t[c])));
         }
@@ -112,17 +128,24 @@ impl Environment {
         };
         let texel = |i: u32| {
             let (rows, columns) = (part(i / width, height, self.height), part(i % width, width, self.width));
-            let count = (rows.len() * columns.len()) as f64;
-            let mut sum = [0.0; 3];
+            let (mut sum, mut whole) = ([0.0; 3], 0.0);
             for row in rows {
+                let share = self.share(row);
                 for column in columns.clone() {
                     let texel = self.texels[(row * self.width + column) as usize];
-                    (0..3).for_each(|c| sum[c] += f64::from(texel[c]));
+                    (0..3).for_each(|c| sum[c] += share * f64::from(texel[c]));
+                    whole += share;
                 }
             }
-            sum.map(|c| (c / count) as f32)
+            sum.map(|c| (c / whole) as f32)
         };
         Environment { width, height, texels: (0..width * height).map(texel).collect() }
+    }
+
+    /// The solid angle of a texel of a row, by that of the sphere in rows.
+    fn share(&self, row: u32) -> f64 {
+        let bound = |row: u32| libm::cos(std::f64::consts::PI * f64::from(row) / f64::from(self.height));
+        0.5 * (bound(row) - bound(row + 1))
     }
 
     /// Looks the directions of `sphere` up on `backend`.
@@ -131,6 +154,47 @@ impl Environment {
     ///
     /// Texels that no fixed point holds, and whatever the backend refuses.
     pub fn look_up(&self, backend: &dyn Backend, sphere: Sphere, lighting: &Lighting) -> Result<Intensities> {
+        let sigma = lighting.sigma(sphere);
+        // A filter that no texel beside another one feels is none.
+        let felt = sigma > 0.5 * std::f64::consts::PI / f64::from(self.height.min(COLUMNS / 2));
+        match lighting.filter {
+            Filter::Sphere if felt => self.look_around(backend, sphere, lighting),
+            Filter::Sphere => self.look_up_in_map(backend, sphere, lighting, 0.0),
+            Filter::Map => self.look_up_in_map(backend, sphere, lighting, sigma),
+        }
+    }
+
+    /// The means around the directions.
+    fn look_around(&self, backend: &dyn Backend, sphere: Sphere, lighting: &Lighting) -> Result<Intensities> {
+        let (rows, sigma) = (lighting.rows()?, lighting.sigma(sphere));
+        let map = self.reduced(COLUMNS.min(blur::columns(sigma)));
+        let fixed = Fixed::new(&map.texels)?;
+        let sky = Sky::new(&map, &fixed.values);
+        let (weights, up) = scaled_weights(&sphere.weights(lighting.weighting));
+        let intensity = |(direction, weight): ([i32; 3], &u32)| {
+            let d = normalize(direction.map(f64::from));
+            // The kernel's zenith is z and its first column x.
+            let [z, x, y] = rows.map(|row| row[0] * d[0] + row[1] * d[1] + row[2] * d[2]);
+            let [red, green, blue] =
+                sky.around([x, y, z], sigma).map(|mean| ((u64::from(mean) * u64::from(*weight)) >> 32) as u32);
+            [red, green, blue, 0]
+        };
+        let values = sphere.directions().into_iter().zip(&weights).map(intensity).collect();
+        let mut job = Job::new();
+        let units = record_turn(&mut job, sphere, Rotation::IDENTITY)?;
+        job.read("units", units.id());
+        let shift = fixed.shifts.map(|shift| colour_shift(shift, up));
+        Ok(Intensities { units: units_of(&backend.run(&job)?[0]), values, shift, lost: fixed.lost })
+    }
+
+    /// The texels that the directions meet in the map, filtered with a Gaussian of so many radians.
+    fn look_up_in_map(
+        &self,
+        backend: &dyn Backend,
+        sphere: Sphere,
+        lighting: &Lighting,
+        sigma: f64,
+    ) -> Result<Intensities> {
         let map = self.reduced(COLUMNS);
         // The kernel's columns run the other way round.
         let mirrored: Vec<[f32; 3]> =
@@ -140,22 +204,25 @@ impl Environment {
         let mut job = Job::new();
         let texels: Vec<UVec4> = fixed.values.iter().copied().map(UVec4::from_array).collect();
         let texels = job.slice("texels", &texels);
-        let texels = map.record_blur(&mut job, texels, lighting.sigma(sphere, map.width))?;
-        let [units, values] = map.record_look_up(&mut job, texels, sphere, &lighting.rotation()?, &weights)?;
-        job.read("units", units);
-        job.read("intensities", values);
+        let texels = map.record_blur(&mut job, texels, sigma)?;
+        let units = record_turn(&mut job, sphere, Rotation::IDENTITY)?;
+        let turned = record_turn(&mut job, sphere, Rotation::new(lighting.rows()?)?)?;
+        let weights = job.slice("weights", &weights);
+        let count = sphere.count();
+        let values = job.zeroed("intensities", u64::from(count));
+        let shape = Shape::LatitudeLongitude { width: map.width, height: map.height };
+        Illumination::new()?.record_look_up(&mut job, (shape, texels), count, turned, weights, values)?;
+        job.read("units", units.id());
+        job.read("intensities", values.id());
         let read = backend.run(&job)?;
-        let words = |bytes: &[u8]| -> Vec<[u32; 4]> {
-            let words: Vec<u32> = bytes.as_chunks().0.iter().map(|b| u32::from_le_bytes(*b)).collect();
-            words.as_chunks().0.to_vec()
-        };
-        let units = words(&read[0]).into_iter().map(|[x, y, z, _]| [x, y, z].map(|c| c as i32)).collect();
         let shift = fixed.shifts.map(|shift| colour_shift(shift, up));
-        Ok(Intensities { units, values: words(&read[1]), shift, lost: fixed.lost })
+        Ok(Intensities { units: units_of(&read[0]), values: words_of(&read[1]), shift, lost: fixed.lost })
     }
 
+    /// The filter of the map, by a standard deviation in radians.
     fn record_blur(&self, job: &mut Job, texels: Buffer<[UVec4]>, sigma: f64) -> Result<Buffer<[UVec4]>> {
-        if sigma < 0.05 {
+        let sigma = (sigma * f64::from(self.width) / std::f64::consts::TAU).min(f64::from(MAX_RADIUS));
+        if sigma < 0.05 || self.width == 1 {
             return Ok(texels);
         }
         let radius = (libm::ceil(3.0 * sigma) as u32).min(MAX_RADIUS).min(self.width);
@@ -166,55 +233,58 @@ impl Environment {
         kernel.record_blur(job, size, taps, true, rows, both)?;
         Ok(both)
     }
+}
 
-    /// Unit directions, and intensities.
-    fn record_look_up(
-        &self,
-        job: &mut Job,
-        texels: Buffer<[UVec4]>,
-        sphere: Sphere,
-        rotation: &Rotation,
-        weights: &[u32],
-    ) -> Result<[sightlines_backend::BufferId; 2]> {
-        let count = sphere.count();
-        let directions: Vec<IVec4> = sphere.directions().into_iter().map(|[x, y, z]| IVec4::new(x, y, z, 0)).collect();
-        let directions = job.slice("directions", &directions);
-        let [units, turned] = ["units", "turned"].map(|name| job.zeroed(name, u64::from(count)));
-        let turn = LightSphere::new()?;
-        turn.record_turn(job, Rotation::IDENTITY, count, directions, units)?;
-        turn.record_turn(job, *rotation, count, directions, turned)?;
-        let weights = job.slice("weights", weights);
-        let values = job.zeroed("intensities", u64::from(count));
-        let shape = Shape::LatitudeLongitude { width: self.width, height: self.height };
-        Illumination::new()?.record_look_up(job, (shape, texels), count, turned, weights, values)?;
-        Ok([units.id(), values.id()])
-    }
+/// The directions, turned, of length 2^15.
+fn record_turn(job: &mut Job, sphere: Sphere, rotation: Rotation) -> Result<Buffer<[IVec4]>> {
+    let directions: Vec<IVec4> = sphere.directions().into_iter().map(|[x, y, z]| IVec4::new(x, y, z, 0)).collect();
+    let directions = job.slice("directions", &directions);
+    let turned = job.zeroed("turned", u64::from(sphere.count()));
+    LightSphere::new()?.record_turn(job, rotation, sphere.count(), directions, turned)?;
+    Ok(turned)
+}
+
+fn units_of(bytes: &[u8]) -> Vec<[i32; 3]> {
+    words_of(bytes).into_iter().map(|[x, y, z, _]| [x, y, z].map(|c| c as i32)).collect()
+}
+
+fn words_of(bytes: &[u8]) -> Vec<[u32; 4]> {
+    let words: Vec<u32> = bytes.as_chunks().0.iter().map(|b| u32::from_le_bytes(*b)).collect();
+    words.as_chunks().0.to_vec()
 }
 
 impl Lighting {
-    /// From directions of the scene to those of the kernel's map, whose zenith is z and whose first column is x.
-    fn rotation(&self) -> Result<Rotation> {
+    /// Nothing is turned, y is up, and the sum is an integral over the sphere.
+    pub const DEFAULT: Lighting = Lighting {
+        up: Up::Y,
+        turn: 0.0,
+        pose: Turn::NONE,
+        blur: None,
+        filter: Filter::Sphere,
+        weighting: Weighting::SolidAngle,
+    };
+
+    /// The rotation from directions of the matrix to those of the kernel's map, whose zenith is z and whose first column
+    /// is x.
+    fn rows(&self) -> Result<[Vector; 3]> {
         if !self.turn.is_finite() || self.turn.abs() > 1e6 {
             let what = format!("{:?} degrees", self.turn);
             return Err(Place::default().element("turn").error(what, "choose degrees within a million"));
         }
         // An environment turned one way is looked up turned the other way.
         let (s, c) = libm::sincos(-self.turn * std::f64::consts::PI / 180.0);
-        let turn = |[x, y, z]: Vector| [c * x - s * y, s * x + c * y, z];
-        // Columns: where x, y and z of the scene point in the map.
-        let axes: [Vector; 3] = match self.up {
-            Up::Y => [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]],
-            Up::Z => [[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
+        let column = |axis: Vector| {
+            let [x, y, z] = self.pose.apply(axis);
+            let [x, y, z] = if self.up == Up::Y { [z, x, y] } else { [-y, x, z] };
+            [c * x - s * y, s * x + c * y, z]
         };
-        let columns = axes.map(turn);
-        Ok(Rotation::new([0, 1, 2].map(|row| columns.map(|column| column[row])))?)
+        let columns = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(column);
+        Ok([0, 1, 2].map(|row| columns.map(|column| column[row])))
     }
 
-    /// The Gaussian's standard deviation in texels of a map of so many columns.
-    fn sigma(&self, sphere: Sphere, columns: u32) -> f64 {
-        let radians = self.blur.map_or(0.5 * sphere.spacing(), |degrees| degrees * std::f64::consts::PI / 180.0);
-        let texels = radians * f64::from(columns) / (2.0 * std::f64::consts::PI);
-        if columns == 1 { 0.0 } else { texels.min(f64::from(MAX_RADIUS)) }
+    /// The Gaussian's standard deviation in radians.
+    fn sigma(&self, sphere: Sphere) -> f64 {
+        self.blur.map_or(0.5 * sphere.spacing(), |degrees| degrees * std::f64::consts::PI / 180.0)
     }
 }
 

@@ -8,7 +8,7 @@
 use sightlines_backend::Backend;
 
 use super::environment::Intensities;
-use super::matrix::{Colours, Matrix};
+use super::matrix::{Colours, Matrix, Work};
 use super::picture::View;
 use super::sphere::Sphere;
 use super::surface::Surface;
@@ -86,6 +86,11 @@ impl<'a> Lazy<'a> {
         let mut colours = vec![[0.0; 3]; self.surface.vertices.len()];
         self.batches.iter_mut().try_for_each(|batch| batch.light(intensities, &mut colours))?;
         Ok(colours)
+    }
+
+    /// What it took so far.
+    pub fn work(&self) -> Work {
+        self.batches.iter().map(Matrix::work).sum()
     }
 
     /// Whether a vertex has a colour.

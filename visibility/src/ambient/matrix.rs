@@ -29,7 +29,8 @@ pub type Colours = Vec<[f32; 3]>;
 
 /// The matrix of some or all positions of a surface.
 pub struct Matrix<'a> {
-    surface: &'a Surface,
+    /// Vertices of the whole surface.
+    vertices: usize,
     sphere: Sphere,
     directions: Vec<Direction>,
     kernels: Kernels,
@@ -47,6 +48,19 @@ pub struct Work {
     pub counts: Option<Counts>,
 }
 
+impl std::iter::Sum for Work {
+    fn sum<I: Iterator<Item = Work>>(works: I) -> Work {
+        let none = Work { lane_ops: Some(0), counts: Some(Counts::default()) };
+        works.fold(none, |sum, work| Work {
+            lane_ops: sum.lane_ops.zip(work.lane_ops).map(|(a, b)| a + b),
+            counts: sum.counts.zip(work.counts).map(|(mut a, b)| {
+                a += b;
+                a
+            }),
+        })
+    }
+}
+
 impl<'a> Matrix<'a> {
     /// An empty matrix of all positions, on `backend`, with room for `sphere`. Occluders closer than `bias` cells do
     /// not count.
@@ -54,7 +68,7 @@ impl<'a> Matrix<'a> {
     /// # Errors
     ///
     /// More than [`MAX_WORDS`], and whatever the backend refuses.
-    pub fn open(backend: &'a dyn Backend, surface: &'a Surface, sphere: Sphere, bias: u32) -> Result<Self> {
+    pub fn open(backend: &'a dyn Backend, surface: &Surface, sphere: Sphere, bias: u32) -> Result<Self> {
         let all: Vec<u32> = (0..surface.positions()).collect();
         Self::open_some(backend, surface, &all, sphere, bias)
     }
@@ -62,7 +76,7 @@ impl<'a> Matrix<'a> {
     /// The same for the positions `chosen`, each at most once.
     pub fn open_some(
         backend: &'a dyn Backend,
-        surface: &'a Surface,
+        surface: &Surface,
         chosen: &[u32],
         sphere: Sphere,
         bias: u32,
@@ -83,7 +97,8 @@ impl<'a> Matrix<'a> {
             Part::open(backend, &kernels, surface, (chosen, &vertices), (&directions, &shapes), bias)
         };
         let parts = chosen.chunks(each).map(open).collect::<Result<_>>()?;
-        Ok(Matrix { surface, sphere, directions, kernels, parts, positions: chosen.len() as u32, done: 0 })
+        let (vertices, positions) = (surface.vertices.len(), chosen.len() as u32);
+        Ok(Matrix { vertices, sphere, directions, kernels, parts, positions, done: 0 })
     }
 
     /// Directions whose bits are there.
@@ -103,19 +118,24 @@ impl<'a> Matrix<'a> {
     ///
     /// Whatever the backend refuses; the bits that were there stay valid.
     pub fn advance(&mut self, target: Sphere) -> Result<bool> {
-        let goal = target.count().min(self.sphere.count());
-        if self.done >= goal {
+        let end = self.next_stop(target);
+        if self.done >= end {
             return Ok(false);
         }
         // The last word may be filled in part: it is computed again as a whole.
         let first = self.done / 32;
-        let end = goal.min(32 * (first / BLOCK_WORDS + 1) * BLOCK_WORDS);
         let block = &self.directions[32 * first as usize..end as usize];
         for part in &mut self.parts {
             part.see(&self.kernels, first, block)?;
         }
         self.done = end;
         Ok(true)
+    }
+
+    /// Directions that are done after the next block towards those of `target`.
+    pub fn next_stop(&self, target: Sphere) -> u32 {
+        let block = 32 * BLOCK_WORDS;
+        target.count().min(self.sphere.count()).min((self.done / block + 1) * block)
     }
 
     /// The bits so far: for each 32 directions a word of every position.
@@ -161,7 +181,7 @@ impl<'a> Matrix<'a> {
                 format!("intensities of {} directions, of which {} are done", intensities.values.len(), self.done);
             return Err(Place::default().element("light").error(what, "advance the matrix first"));
         }
-        colours.resize(self.surface.vertices.len(), [0.0; 3]);
+        colours.resize(self.vertices, [0.0; 3]);
         self.parts.iter_mut().try_for_each(|part| part.light(&self.kernels, intensities, colours))
     }
 
@@ -172,23 +192,13 @@ impl<'a> Matrix<'a> {
     ///
     /// Whatever the backend refuses.
     pub fn encode(&mut self, table: &[u32], bytes: &mut Vec<[u8; 3]>) -> Result<()> {
-        bytes.resize(self.surface.vertices.len(), [0; 3]);
+        bytes.resize(self.vertices, [0; 3]);
         self.parts.iter_mut().try_for_each(|part| part.encode(&self.kernels, table, bytes))
     }
 
     /// What it took so far.
     pub fn work(&self) -> Work {
-        let none = Work { lane_ops: Some(0), counts: Some(Counts::default()) };
-        self.parts.iter().fold(none, |sum, part| {
-            let work = part.work();
-            Work {
-                lane_ops: sum.lane_ops.zip(work.lane_ops).map(|(a, b)| a + b),
-                counts: sum.counts.zip(work.counts).map(|(mut a, b)| {
-                    a += b;
-                    a
-                }),
-            }
-        })
+        self.parts.iter().map(Part::work).sum()
     }
 }
 

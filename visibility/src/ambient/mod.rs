@@ -5,22 +5,27 @@
 //! an [`Environment`] becomes [`Intensities`], and the product of both the colours of the vertices. Everything that
 //! reaches a result is decided in integers, so it is the same on every machine.
 
+mod blur;
 pub mod environment;
 pub mod export;
 pub mod file;
 pub mod lazy;
 mod map;
 pub mod matrix;
+mod moving;
 mod part;
 pub mod picture;
 mod radiance;
 pub mod sphere;
 mod stage;
 pub mod surface;
+mod turn;
 
-pub use environment::{Environment, Intensities, Lighting};
+pub use environment::{Environment, Filter, Intensities, Lighting};
 pub use lazy::Lazy;
 pub use matrix::{Colours, Matrix};
+pub use moving::{Moving, Step};
 pub use picture::View;
 pub use sphere::{Sphere, Weighting};
 pub use surface::Surface;
+pub use turn::Turn;

@@ -2,8 +2,6 @@
 
 use sightlines_kernels::light_sphere::{self, oracle::Direction};
 
-use super::surface::Surface;
-
 /// A set of directions over the whole sphere, opposite ones next to each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sphere {
@@ -67,13 +65,11 @@ impl Sphere {
         }
     }
 
-    /// The finest of its refinements whose cost for a mesh is within `budget`, or the coarsest: directions times
-    /// positions and triangles, all of which each direction visits. The same numbers give the same level on every
-    /// machine.
-    pub fn within(self, budget: u64, surface: &Surface) -> Sphere {
-        let each = u64::from(surface.positions()) + surface.mesh.triangles.len() as u64;
+    /// The finest of its refinements whose cost is within `budget`, or the coarsest, where each direction makes `visits`
+    /// ([`Surface::visits`](super::Surface::visits)). The same numbers give the same level on every machine.
+    pub fn within(self, budget: u64, visits: u64) -> Sphere {
         let refinements = self.refinements();
-        let fits = |sphere: &&Sphere| u64::from(sphere.count()) * each <= budget;
+        let fits = |sphere: &&Sphere| u64::from(sphere.count()).saturating_mul(visits) <= budget;
         refinements.iter().rev().find(fits).copied().unwrap_or(refinements[0])
     }
 

@@ -98,6 +98,11 @@ impl Surface {
         self.mesh.vertices.len() as u32
     }
 
+    /// What a direction costs, in a count that is the same on every machine: it visits all positions and triangles.
+    pub fn visits(&self) -> u64 {
+        u64::from(self.positions()) + self.mesh.triangles.len() as u64
+    }
+
     /// Corners of the box of all positions, in scene units.
     pub fn corners(&self) -> [[f64; 3]; 8] {
         let points = || self.mesh.vertices.iter();

@@ -12,7 +12,7 @@ use sightlines_backend::{Backend, Counts};
 use sightlines_kernels::illumination::gamma_table;
 use sightlines_visibility::ambient::file::Stored;
 use sightlines_visibility::ambient::matrix::Work;
-use sightlines_visibility::ambient::{Colours, Environment, Matrix, Sphere, Surface, View, export};
+use sightlines_visibility::ambient::{Colours, Environment, Matrix, Surface, View, export};
 use sightlines_visibility::error::Place;
 use sightlines_visibility::scene::Scene;
 use sightlines_visibility::{Result, scene};
@@ -69,7 +69,8 @@ pub(crate) fn run(args: &AmbientArgs, out: &mut dyn Write) -> Result<(), Failure
     writeln!(out, "time       {:.3} s for the visibility", time.as_secs_f64())?;
     conclude(&shaded, out)?;
     if args.counts {
-        count(&matrix.work(), &surface, args.sphere(), out)?;
+        let pairs = u64::from(surface.positions()) * u64::from(args.sphere().count());
+        count(&matrix.work(), pairs, out)?;
     }
     let paths = outputs.iter().chain(&args.matrix).chain(cameras.iter().map(|(_, path)| path));
     paths.into_iter().try_for_each(|path| writeln!(out, "wrote      {}", path.display()))?;
@@ -201,8 +202,7 @@ fn conclude(shaded: &Shaded, out: &mut dyn Write) -> Result<(), Failure> {
 }
 
 /// The work in numbers that do not depend on how fast the machine is.
-fn count(work: &Work, surface: &Surface, sphere: Sphere, out: &mut dyn Write) -> Result<(), Failure> {
-    let pairs = u64::from(surface.positions()) * u64::from(sphere.count());
+fn count(work: &Work, pairs: u64, out: &mut dyn Write) -> Result<(), Failure> {
     writeln!(out, "pairs      {pairs} of a position and a direction")?;
     match work.lane_ops {
         Some(ops) => writeln!(out, "lane-ops   {ops}, {:.1} a pair", ops as f64 / pairs.max(1) as f64)?,

@@ -3,15 +3,12 @@
 //! "Ambient occlusion by occlusion queries", figure 9, compares with a ray tracer of 500 samples; so do these.
 
 use sightlines_kernels::random;
-use sightlines_visibility::ambient::{Colours, Environment, Lighting, Matrix, Sphere, Surface, Weighting};
+use sightlines_visibility::ambient::{Colours, Environment, Lighting, Matrix, Sphere, Surface};
 use sightlines_visibility::scene::{Generator, generate, generate_world};
-use sightlines_visibility::setup::Up;
 
 use super::{finish, machine};
 
 const RAYS: u32 = 500;
-
-const LIGHTING: Lighting = Lighting { up: Up::Y, turn: 0.0, blur: None, weighting: Weighting::SolidAngle };
 
 type Vector = [f64; 3];
 
@@ -33,7 +30,7 @@ fn occlusion(surface: &Surface, level: u32, bias: u32) -> Vec<f64> {
     let mut matrix = Matrix::open(&machine, surface, sphere, bias).unwrap();
     finish(&mut matrix, sphere);
     let mut colours = Colours::new();
-    let light = Environment::white().look_up(&machine, sphere, &LIGHTING).unwrap();
+    let light = Environment::white().look_up(&machine, sphere, &Lighting::DEFAULT).unwrap();
     matrix.light(&light, &mut colours).unwrap();
     colours.iter().map(|colour| f64::from(colour[0])).collect()
 }

@@ -4,6 +4,7 @@ mod comparison;
 mod files;
 mod light;
 mod matrix;
+mod motion;
 mod program;
 mod views;
 

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
 use std::time::Duration;
 
+use super::motion::{Keys, colonnade, turning};
+
 struct Folder(tempfile::TempDir);
 
 impl Folder {
@@ -198,8 +200,9 @@ fn frames_of_a_motion_keep_to_their_budget() {
     let report =
         folder.report("--motion cloth --backend cpu --level 2 --frames 3 --size 80x60 --budget 1 --picture a.png");
     let frames: Vec<&str> = report.lines().filter_map(|line| line.strip_prefix("frame ")).map(str::trim).collect();
-    let expected = [0, 1, 2].map(|n| format!("a.{n}.png: 3249 positions, octahedron level 2: 66 directions"));
-    assert_eq!(frames, expected);
+    let level = "octahedron level 2: 66 directions, a new matrix, 214434 pairs";
+    assert_eq!(frames, [0, 1, 2].map(|n| format!("a.{n}.png: {level}")));
+    assert_eq!(line(&report, "matrices "), "3 for 3 frames");
     let report =
         folder.report("--motion cloth --backend cpu --level 2 --frames 1 --size 80x60 --budget 0 --picture b.png");
     assert!(report.contains("octahedron level 0: 6 directions"), "{report}");
@@ -209,24 +212,32 @@ fn frames_of_a_motion_keep_to_their_budget() {
     assert!(folder.refusal("--scene box --camera here --picture c.png").contains("`here` is no camera"));
 }
 
-/// One triangle that is moved by two units in two seconds.
-const MOVED: &str = r#"{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
-    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
-    "animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}],
-        "samplers": [{"input": 1, "output": 2}]}],
-    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
-        {"bufferView": 0, "byteOffset": 36, "componentType": 5126, "count": 2, "type": "SCALAR", "min": [0], "max": [2]},
-        {"bufferView": 0, "byteOffset": 44, "componentType": 5126, "count": 2, "type": "VEC3"}],
-    "bufferViews": [{"buffer": 0, "byteLength": 68}], "buffers": [{"uri": "a.bin", "byteLength": 68}]}"#;
-
 #[test]
-fn what_is_only_shifted_keeps_its_colours() {
+fn frames_say_whose_matrix_they_have() {
     let folder = Folder::new();
-    let floats = [0.0_f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0];
-    std::fs::write(folder.path("a.bin"), floats.map(f32::to_le_bytes).concat()).unwrap();
-    std::fs::write(folder.path("a.gltf"), MOVED).unwrap();
-    let report = folder.report("a.gltf --backend cpu --level 1 --frames 2 --size 80x60 --picture a.png");
-    assert!(report.contains("a.0.png: 3 positions, octahedron level 1: 18 directions"), "{report}");
-    assert!(report.contains("a.1.png: 3 positions, as before"), "{report}");
-    assert!(folder.read("a.0.png") != folder.read("a.1.png"), "the camera stays where it is");
+    let frames = |keys: &[Keys], options: &str| {
+        for (name, bytes) in colonnade(keys) {
+            std::fs::write(folder.path(name), bytes).unwrap();
+        }
+        let line = format!("a.gltf --backend cpu --level 1 --frames 4 --size 80x60 --picture a.png {options}");
+        let report = folder.report(&line);
+        let frames = report.lines().filter_map(|line| line.strip_prefix("frame ")).map(|line| line.trim().to_owned());
+        let rest = |line: String| line.split_once("18 directions, ").unwrap().1.to_owned();
+        (frames.map(rest).collect::<Vec<_>>(), report)
+    };
+    let (turned, report) = frames(&turning(0), "--environment sky --counts");
+    let expected =
+        [45, 90, 135].map(|degrees| format!("the matrix of a.0.png turned by {degrees}.00 degrees, 0 pairs"));
+    assert_eq!(turned[1..], expected);
+    assert!(turned[0].starts_with("a new matrix, ") && line(&report, "matrices ") == "1 for 4 frames");
+    let pairs = turned[0].trim_start_matches("a new matrix, ").trim_end_matches(" pairs");
+    assert_eq!(line(&report, "pairs "), format!("{pairs} of a position and a direction"));
+    assert!(line(&report, "lane-ops ").contains(" a pair"));
+    let pictures = [0, 1, 2, 3].map(|n| folder.read(&format!("a.{n}.png")));
+    let (shifted, _) = frames(&turning(0)[1..], "--environment sky");
+    assert_eq!(shifted[1..], ["as before, 0 pairs"; 3]);
+    assert!(folder.read("a.0.png") == pictures[0] && folder.read("a.2.png") != pictures[2]);
+    let (apart, report) = frames(&turning(1), "");
+    assert!(apart.iter().all(|line| line.starts_with("a new matrix")), "{apart:?}");
+    assert_eq!(line(&report, "matrices "), "4 for 4 frames");
 }

@@ -1,17 +1,14 @@
-//! Pictures, lazy evaluation along them, and motions.
+//! Pictures, lazy evaluation along them, and the level that a budget allows.
 
 use sightlines_kernels::illumination::gamma_table;
 use sightlines_kernels::raster::Picture;
-use sightlines_visibility::ambient::{Colours, Environment, Lazy, Lighting, Matrix, Sphere, Surface, View, Weighting};
-use sightlines_visibility::scene::{Camera, Generator, Motion, generate};
-use sightlines_visibility::setup::Up;
+use sightlines_visibility::ambient::{Colours, Environment, Lazy, Lighting, Matrix, Sphere, Surface, View};
+use sightlines_visibility::scene::{Camera, Generator, generate};
 
 use super::{bumpy, finish, machine};
 
 const SPHERE: Sphere = Sphere::Octahedron { level: 1 };
 const SIZE: Picture = Picture { width: 160, height: 120 };
-const LIGHTING: Lighting = Lighting { up: Up::Y, turn: 0.0, blur: None, weighting: Weighting::SolidAngle };
-
 fn orbit(count: u32) -> Vec<Camera> {
     let first = Camera::parse("3,3.2,2.5/0,2,0/45", [0.0, 1.0, 0.0]).unwrap().unwrap();
     first.orbit([0.0, 2.0, 0.0], [0.0, 1.0, 0.0], count).unwrap()
@@ -20,7 +17,7 @@ fn orbit(count: u32) -> Vec<Camera> {
 #[test]
 fn what_a_lazy_matrix_has_seen_is_what_the_whole_has() {
     let (surface, machine) = (bumpy(3000), machine());
-    let light = Environment::sky().look_up(&machine, SPHERE, &LIGHTING).unwrap();
+    let light = Environment::sky().look_up(&machine, SPHERE, &Lighting::DEFAULT).unwrap();
     let mut whole = Matrix::open(&machine, &surface, SPHERE, 1).unwrap();
     finish(&mut whole, SPHERE);
     let mut full = Colours::new();
@@ -93,83 +90,14 @@ fn a_picture_shows_the_colours_of_the_vertices() {
 fn a_budget_chooses_the_same_level_for_the_same_mesh() {
     let surface = bumpy(3000);
     let cost = |level: u32| {
-        let each = u64::from(surface.positions()) + surface.mesh.triangles.len() as u64;
-        u64::from(Sphere::Octahedron { level }.count()) * each
+        u64::from(Sphere::Octahedron { level }.count())
+            * (surface.positions() as usize + surface.mesh.triangles.len()) as u64
     };
     let sphere = Sphere::Octahedron { level: 3 };
     for level in 0..=3 {
-        assert_eq!(sphere.within(cost(level), &surface), Sphere::Octahedron { level });
-        assert_eq!(sphere.within(cost(level + 1) - 1, &surface), Sphere::Octahedron { level });
+        assert_eq!(sphere.within(cost(level), surface.visits()), Sphere::Octahedron { level });
+        assert_eq!(sphere.within(cost(level + 1) - 1, surface.visits()), Sphere::Octahedron { level });
     }
-    assert_eq!(sphere.within(0, &surface), Sphere::Octahedron { level: 0 });
-    assert_eq!(sphere.within(u64::MAX, &surface), sphere);
-}
-
-/// Two joints, a quarter turn between keys 0 and 1 s, and a triangle whose third corner follows the second joint.
-fn animated() -> (String, Vec<u8>) {
-    let half = std::f32::consts::FRAC_1_SQRT_2;
-    let floats: Vec<f32> = [
-        &[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 2.0, 0.0][..],
-        &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.5, 0.5, 0.0, 0.0],
-        &[0.0, 1.0],
-        &[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, half, half],
-        &[0.0, 0.0, 0.0, 4.0, 0.0, 0.0],
-    ]
-    .concat();
-    let joints: [u8; 12] = [0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0];
-    let bytes = [floats.iter().flat_map(|v| v.to_le_bytes()).collect::<Vec<u8>>(), joints.to_vec()].concat();
-    let json = r#"{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 3]}],
-        "nodes": [{"name": "skin", "mesh": 0, "skin": 0}, {"children": [2]}, {}, {"name": "rigid", "mesh": 1}],
-        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "WEIGHTS_0": 1, "JOINTS_0": 2}}]},
-                   {"primitives": [{"attributes": {"POSITION": 0}}]}],
-        "skins": [{"joints": [1, 2]}],
-        "animations": [{"channels": [{"sampler": 0, "target": {"node": 2, "path": "rotation"}},
-                                     {"sampler": 1, "target": {"node": 3, "path": "translation"}}],
-            "samplers": [{"input": 3, "output": 4, "interpolation": "LINEAR"}, {"input": 3, "output": 5, "interpolation": "STEP"}]}],
-        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 2, 0]},
-            {"bufferView": 0, "byteOffset": 36, "componentType": 5126, "count": 3, "type": "VEC4"},
-            {"bufferView": 0, "byteOffset": 148, "componentType": 5121, "count": 3, "type": "VEC4"},
-            {"bufferView": 0, "byteOffset": 84, "componentType": 5126, "count": 2, "type": "SCALAR", "min": [0], "max": [1]},
-            {"bufferView": 0, "byteOffset": 92, "componentType": 5126, "count": 2, "type": "VEC4"},
-            {"bufferView": 0, "byteOffset": 124, "componentType": 5126, "count": 2, "type": "VEC3"}],
-        "bufferViews": [{"buffer": 0, "byteLength": 160}],
-        "buffers": [{"uri": "a.bin", "byteLength": 160}]}"#;
-    (json.to_owned(), bytes)
-}
-
-#[test]
-fn nodes_and_skins_of_a_file_move_between_their_keys() {
-    let folder = tempfile::tempdir().unwrap();
-    let (json, bytes) = animated();
-    std::fs::write(folder.path().join("a.bin"), &bytes).unwrap();
-    let path = folder.path().join("a.gltf");
-    std::fs::write(&path, &json).unwrap();
-    let motion = Motion::load(&path).unwrap();
-    assert_eq!(motion.duration(), 1.0);
-    let half = std::f64::consts::FRAC_1_SQRT_2;
-    for (time, third, moved) in [
-        (0.0, [0.0, 2.0, 0.0], 0.0),
-        // An eighth of a turn: half of the corner stays, half turns about z.
-        (0.5, [-half, 1.0 + half, 0.0], 0.0),
-        (1.0, [-1.0, 1.0, 0.0], 4.0),
-        (9.0, [-1.0, 1.0, 0.0], 4.0),
-    ] {
-        let scene = motion.at(time).unwrap();
-        let [skin, rigid] = scene.parts.as_slice() else { panic!("{} parts", scene.parts.len()) };
-        assert_eq!((skin.name.as_str(), rigid.name.as_str()), ("skin", "rigid"));
-        // The weights (0.5, 0.5) of the third corner name joints 1 and 0.
-        assert!((0..3).all(|axis| (skin.vertices[2][axis] - third[axis]).abs() < 1e-6), "{time}: {:?}", skin.vertices);
-        assert_eq!(skin.vertices[1], [1.0, 0.0, 0.0]);
-        assert_eq!(rigid.vertices[0], [moved, 0.0, 0.0], "steps hold: {time}");
-    }
-    for (from, to, expected) in [
-        ("\"LINEAR\"", "\"CUBICSPLINE\"", "cubic splines"),
-        ("\"animations\"", "\"unknown\"", "it has no animation"),
-        ("\"input\": 3, \"output\": 4", "\"input\": 3, \"output\": 5", "Vec3"),
-        ("[{\"joints\": [1, 2]}]", "[{\"joints\": [1]}]", "follows joint 1, and the skin has 1"),
-    ] {
-        std::fs::write(&path, json.replace(from, to)).unwrap();
-        let error = Motion::load(&path).unwrap_err();
-        assert!(error.is_bad_input() && error.to_string().contains(expected), "{to}: {error}");
-    }
+    assert_eq!(sphere.within(0, surface.visits()), Sphere::Octahedron { level: 0 });
+    assert_eq!(sphere.within(u64::MAX, surface.visits()), sphere);
 }

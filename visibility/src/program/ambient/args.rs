@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use sightlines_kernels::raster::Picture;
-use sightlines_visibility::ambient::{Environment, Lighting, Sphere, Weighting};
+use sightlines_visibility::ambient::{Environment, Filter, Lighting, Sphere, Weighting};
 use sightlines_visibility::error::{Place, Result};
 use sightlines_visibility::scene::{Motion, World};
 use sightlines_visibility::setup::Up;
@@ -78,6 +78,9 @@ pub(crate) struct AmbientArgs {
     /// Standard deviation of the environment's filter in degrees [default: half the spacing of the directions].
     #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
     pub(crate) blur: Option<f64>,
+    /// Where that filter is one.
+    #[arg(long, value_enum, default_value = "sphere")]
+    pub(crate) filter: FilterName,
     /// How directions are weighed in the sum.
     #[arg(long, value_enum, default_value = "solid-angle")]
     pub(crate) weights: Weights,
@@ -119,6 +122,15 @@ fn motion(name: &str) -> Result<Motion, String> {
     Motion::from_name(name).ok_or_else(|| "choose skeleton or cloth".to_owned())
 }
 
+/// Where the environment is filtered.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+pub(crate) enum FilterName {
+    /// On the sphere, by angle.
+    Sphere,
+    /// In the map, by texels, as in the paper.
+    Map,
+}
+
 /// How directions are weighed.
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
 pub(crate) enum Weights {
@@ -154,7 +166,11 @@ impl AmbientArgs {
             Weights::SolidAngle => Weighting::SolidAngle,
             Weights::Equal => Weighting::Equal,
         };
-        Lighting { up: self.up(), turn: self.rotate, blur: self.blur, weighting }
+        let filter = match self.filter {
+            FilterName::Sphere => Filter::Sphere,
+            FilterName::Map => Filter::Map,
+        };
+        Lighting { up: self.up(), turn: self.rotate, blur: self.blur, filter, weighting, ..Lighting::DEFAULT }
     }
 
     /// Refuses numbers that make no sense, before any work.

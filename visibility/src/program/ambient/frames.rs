@@ -1,19 +1,16 @@
-//! Frames of a motion: every one has a matrix of its own, of the level that its budget allows.
-//!
-//! "Ambient occlusion by occlusion queries", sections 4.2 and 6. What is only shifted keeps its colours; what turns or
-//! bends needs a new matrix, and no structure is built for it.
+//! Frames of a motion, each with a picture: what moves as a whole keeps its matrix, and what is only shifted its colours.
 
 use std::io::Write;
 use std::path::PathBuf;
 
 use sightlines_backend::Backend;
 use sightlines_visibility::Result;
-use sightlines_visibility::ambient::{Colours, Environment, Matrix, Sphere, Surface, View};
+use sightlines_visibility::ambient::{Colours, Environment, Lighting, Moving, Step, Surface, Turn, View};
 use sightlines_visibility::error::Place;
 use sightlines_visibility::scene::{Camera, Motion, Scene};
 
 use super::args::AmbientArgs;
-use super::{exposure, pictures};
+use super::{count, exposure, pictures};
 use crate::program::Failure;
 
 /// The scenes of all frames, evenly over the motion.
@@ -53,38 +50,51 @@ impl Frames {
         out: &mut dyn Write,
     ) -> Result<(), Failure> {
         let mut white = args.white.or(is_white.then_some(1.0));
-        let mut before: Option<(Surface, Colours)> = None;
+        let budget = args.budget.map(|budget| budget.saturating_mul(1_000_000));
+        let mut moving = Moving::new(backend, args.sphere(), args.bias, budget);
+        let mut before: Option<(Step, Colours)> = None;
+        let mut total = Total::default();
         for (frame, (camera, path)) in (0..self.count).zip(cameras) {
-            let surface = Surface::new(&self.at(frame)?)?;
-            let sphere = args
-                .budget
-                .map_or(args.sphere(), |budget| args.sphere().within(budget.saturating_mul(1_000_000), &surface));
-            let same = |(known, _): &(Surface, Colours)| known.mesh == surface.mesh && known.normals == surface.normals;
-            let (colours, how) = match before.take().filter(same) {
-                Some((_, colours)) => (colours, "as before".to_owned()),
-                None => (shade(args, backend, &surface, sphere, environment)?, sphere.to_string()),
+            let scene = self.at(frame)?;
+            let surface = Surface::new(&scene)?;
+            let step = moving.step(&scene, &surface)?;
+            let same = |(known, _): &(Step, Colours)| Step { pairs: 0, ..*known } == Step { pairs: 0, ..step };
+            let (how, colours) = match before.take().filter(same) {
+                Some((_, colours)) => ("as before".to_owned(), colours),
+                None => {
+                    let lighting = Lighting { pose: step.pose, ..args.lighting() };
+                    let mut colours = Colours::new();
+                    moving.light(&environment.look_up(backend, step.sphere, &lighting)?, &mut colours)?;
+                    (describe(&step, frame, cameras), colours)
+                }
             };
             // All frames have the exposure of the first.
             let white = *white.get_or_insert_with(|| exposure(&colours));
             let view = View::new(backend, &surface, camera, args.size)?;
             pictures::write(args, (&view, path), &surface, (&colours, white))?;
-            writeln!(out, "frame      {}: {} positions, {how}", path.display(), surface.positions())?;
-            before = Some((surface, colours));
+            writeln!(out, "frame      {}: {}, {how}, {} pairs", path.display(), step.sphere, step.pairs)?;
+            total.matrices += u32::from(step.matrix_of == frame);
+            total.pairs += step.pairs;
+            before = Some((step, colours));
         }
-        Ok(())
+        writeln!(out, "matrices   {} for {} frames", total.matrices, self.count)?;
+        if args.counts { count(&moving.work(), total.pairs, out) } else { Ok(()) }
     }
 }
 
-fn shade(
-    args: &AmbientArgs,
-    backend: &dyn Backend,
-    surface: &Surface,
-    sphere: Sphere,
-    environment: &Environment,
-) -> Result<Colours> {
-    let mut matrix = Matrix::open(backend, surface, sphere, args.bias)?;
-    while matrix.advance(sphere)? {}
-    let mut colours = Colours::new();
-    matrix.light(&environment.look_up(backend, sphere, &args.lighting())?, &mut colours)?;
-    Ok(colours)
+/// What all frames took.
+#[derive(Default)]
+struct Total {
+    matrices: u32,
+    pairs: u64,
+}
+
+/// Whose matrix a frame has.
+fn describe(step: &Step, frame: u32, cameras: &[(Camera, PathBuf)]) -> String {
+    let of = cameras[step.matrix_of as usize].1.file_name().unwrap_or_default().display();
+    match step {
+        Step { matrix_of, .. } if *matrix_of == frame => "a new matrix".to_owned(),
+        Step { pose: Turn::NONE, .. } => format!("the matrix of {of}"),
+        Step { pose, .. } => format!("the matrix of {of} turned by {:.2} degrees", pose.degrees()),
+    }
 }

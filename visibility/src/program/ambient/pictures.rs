@@ -14,7 +14,7 @@ use sightlines_visibility::scene::{Bounds, Camera, Lens, camera};
 use sightlines_visibility::setup::Up;
 
 use super::args::AmbientArgs;
-use super::exposure;
+use super::{count, exposure};
 use crate::program::{Failure, targets};
 
 /// The cameras, and a file for each: of an orbit, or one camera for each frame.
@@ -77,6 +77,7 @@ pub(super) fn lazily(
     let intensities = environment.look_up(backend, args.sphere(), &args.lighting())?;
     let mut lazy = Lazy::new(backend, surface, args.sphere(), args.bias, args.threshold.unwrap_or(all / 20));
     let mut white = args.white.or(is_white.then_some(1.0));
+    let mut positions = 0;
     for (camera, path) in cameras {
         let view = View::new(backend, surface, camera, args.size)?;
         let look = lazy.look(&view)?;
@@ -86,7 +87,8 @@ pub(super) fn lazily(
         write(args, (&view, path), surface, (&colours, white))?;
         let (unseen, todo) = (look.unseen, look.todo);
         let done = look.positions;
+        positions += done as u64;
         writeln!(out, "picture    {}: {todo} triangles to do, {unseen} unseen, {done} positions", path.display())?;
     }
-    Ok(())
+    if args.counts { count(&lazy.work(), positions * u64::from(args.sphere().count()), out) } else { Ok(()) }
 }
