@@ -10,6 +10,7 @@
 //! | [`queries`] | granular visibility queries: pixels seen of every instance, in every tile |
 //! | [`image`] | the visible share as PNG and EXR |
 //! | [`sets`] | the sets in a file |
+//! | [`input`], [`output`] | the doors by which files are read and written |
 //!
 //! Systems are generic over [`Backend`](sightlines_backend::Backend) and have no path of their own on the CPU. What
 //! reaches an output is computed in integers, or in f64 with + − × ÷ √ and `libm`: the same bits on every host.
@@ -21,7 +22,7 @@ pub mod ambient;
 pub mod compare;
 pub mod error;
 pub mod image;
-mod input;
+pub mod input;
 pub mod output;
 pub mod queries;
 pub mod scene;

@@ -33,9 +33,12 @@ enum Work {
     Exposure { options: &'static [&'static str] },
     /// `sightlines ambient`, with these options.
     Ambient { options: &'static [&'static str], names: &'static [&'static str] },
+    /// `sightlines compare` of crossing squares at two light sizes; its methods must agree on each machine too.
+    Compare { resolution: u32, samples: u32 },
 }
 
-const SUBJECTS: [Subject; 9] = [
+const SUBJECTS: [Subject; 10] = [
+    Subject { name: "compare", work: Work::Compare { resolution: 24, samples: 64 } },
     Subject { name: "palms", work: Work::Shadows { resolution: 32, samples: 1024 } },
     Subject { name: "box", work: Work::Shadows { resolution: 64, samples: 32 } },
     Subject { name: "model.gltf", work: Work::Shadows { resolution: 57, samples: 256 } },
@@ -140,6 +143,7 @@ impl Subject {
         match self.work {
             Work::Shadows { .. } | Work::Exposure { .. } => &NAMES,
             Work::Ambient { names, .. } => names,
+            Work::Compare { .. } => &["a.0.png", "a.1.png"],
         }
     }
 
@@ -149,6 +153,11 @@ impl Subject {
             Work::Shadows { resolution, samples } => self.shadows(folder, resolution, samples),
             Work::Exposure { options } => self.exposure(folder, options),
             Work::Ambient { options, names } => Ok(self.ambient(options, names)),
+            Work::Compare { resolution, samples } => {
+                let size = format!("--resolution {resolution} --samples {samples} --light-size 0.5,2");
+                let line = format!("compare --scene quads {size} -o a.png");
+                Ok(line.split(' ').map(str::to_owned).collect())
+            }
         }
     }
 

@@ -62,7 +62,7 @@ fn bad_command_lines_and_bad_input_end_with_2() {
         ("shadows good.obj --scene palms", "cannot be used with"),
         ("shadows --scene forest", "choose one of palms, box, quads, colonnade"),
         ("shadows none.obj", "none.obj: cannot be read"),
-        ("shadows empty.obj", "empty.obj: there is no triangle in it"),
+        ("shadows empty.obj", "empty.obj: the file is empty"),
         ("shadows broken.obj", "broken.obj:2: the face uses vertex 2, and the file has 1 vertices"),
         ("shadows --scene-file broken.toml", "broken.toml:2: samples: 0 samples cannot be baked"),
         ("shadows --scene-file none.toml", "none.toml: cannot be read"),
@@ -94,6 +94,41 @@ fn bad_command_lines_and_bad_input_end_with_2() {
     }
     let left = ["broken.obj", "broken.toml", "cut.glb", "empty.obj", "good.obj", "named.toml", "nan.obj", "other.glb"];
     assert_eq!(folder.names(), left, "nothing was written");
+}
+
+/// A triangle whose corners and whose texture are in files of their own.
+const SCATTERED: &str = r#"{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], "images": [{"uri": "b%61rk.png"}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0,0,0], "max": [1,1,1]}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"uri": "a.bin", "byteLength": 36}]}"#;
+
+#[test]
+fn nothing_is_written_over_what_a_scene_reads_or_names() {
+    let folder = Folder::new();
+    folder.put("a.gltf", SCATTERED);
+    folder.put("bark.png", "no picture");
+    let corners = [0.0_f32, 1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0];
+    std::fs::write(folder.0.path().join("a.bin"), corners.map(f32::to_le_bytes).concat()).unwrap();
+    folder.put("scene.toml", "model = \"a.gltf\"\n");
+    folder.put("tour.txt", "0,3,5/0,1,0\n");
+    let files = || folder.names().into_iter().map(|name| std::fs::read(folder.0.path().join(name)).unwrap());
+    let before: Vec<Vec<u8>> = files().collect();
+    for (line, target) in [
+        ("shadows a.gltf -o", "a.bin"),
+        ("shadows a.gltf --sets", "a.gltf"),
+        ("shadows --scene-file scene.toml --exr", "./a.bin"),
+        ("shadows --scene-file scene.toml -o", "bark.png"),
+        ("compare a.gltf -o", "bark.png"),
+        ("compare a.gltf --csv", "a.bin"),
+        ("queries a.gltf --camera 0,3,5/0,1,0 --json", "a.bin"),
+        ("queries a.gltf --path tour.txt --csv", "tour.txt"),
+        ("ambient a.gltf --picture", "bark.png"),
+        ("ambient a.gltf --matrix", "a.bin"),
+    ] {
+        let message = folder.fails(&format!("{line} {target} --backend cpu"), 2);
+        assert!(message.contains(&format!("{target}: the file is read")), "{line} {target}: {message}");
+    }
+    assert!(files().eq(before));
 }
 
 #[test]

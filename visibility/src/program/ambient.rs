@@ -35,7 +35,8 @@ pub(crate) fn run(args: &AmbientArgs, out: &mut dyn Write) -> Result<(), Failure
     let light = (&environment.0, environment.1);
     let surface = Surface::new(&scene)?;
     let cameras = pictures::cameras(args, &scene.bounds())?;
-    check_targets(args, outputs.iter().chain(&args.matrix).chain(cameras.iter().map(|(_, path)| path)))?;
+    let pictures = cameras.iter().map(|(_, path)| path);
+    targets::check(outputs.iter().chain(&args.matrix).chain(pictures).map(PathBuf::as_path))?;
     let backend = machine::open(&args.machine, args.counts)?;
     describe(&scene, &surface, out)?;
     writeln!(out, "lights     {}, a bias of {} cells", args.sphere(), args.bias)?;
@@ -100,12 +101,6 @@ fn outputs(args: &AmbientArgs) -> Result<Vec<PathBuf>> {
         Some(path) => Err(Place::file(path).error("neither .glb nor .ply", "name a file with one of these extensions")),
         None => Ok(outputs),
     }
-}
-
-/// Refuses targets that cannot be written, are one file, or would replace what is read.
-fn check_targets<'a>(args: &'a AmbientArgs, targets: impl Iterator<Item = &'a PathBuf>) -> Result<()> {
-    let read = args.source.model.iter().chain(Some(&args.environment).filter(|path| path.exists()));
-    targets::check(read.map(PathBuf::as_path), targets.map(PathBuf::as_path))
 }
 
 /// Brings the matrix to its last direction, by way of the file; the answer is how many directions were there.

@@ -66,9 +66,8 @@ pub(crate) fn run(args: &CompareArgs, out: &mut dyn Write) -> Result<(), Failure
         .iter()
         .flat_map(|path| (0..settings.len()).map(|number| targets::numbered(path, number, settings.len())))
         .collect();
-    let read = args.source.model.iter().chain(&args.source.scene_file).map(PathBuf::as_path);
-    targets::check(read, pictures.iter().chain(&args.csv).map(PathBuf::as_path))?;
     let setups = settings.iter().map(|settings| args.setup(settings)).collect::<Result<Vec<_>, _>>()?;
+    targets::check(pictures.iter().chain(&args.csv).map(PathBuf::as_path))?;
     let backend = machine::open(&args.machine, false)?;
     writeln!(out, "backend    {}", machine::describe(&backend.info()))?;
     let (mut runs, mut differ) = (Vec::new(), 0);

@@ -251,8 +251,7 @@ pub(crate) fn run(args: &QueriesArgs, out: &mut dyn Write) -> Result<(), Failure
     };
     let cameras = args.cameras(&world)?;
     let targets = args.targets(cameras.len());
-    let read = args.source.model.iter().chain(&args.path).map(PathBuf::as_path);
-    targets::check(read, targets.iter().map(PathBuf::as_path))?;
+    targets::check(targets.iter().map(PathBuf::as_path))?;
     let backend = machine::open(&args.machine, args.counts)?;
     report::scene(&world, out)?;
     let mut views = Vec::with_capacity(cameras.len());

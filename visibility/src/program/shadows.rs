@@ -107,7 +107,7 @@ pub(crate) fn run(args: &ShadowsArgs, out: &mut dyn Write) -> Result<(), Failure
     let setup = setup(args)?;
     args.check(setup.lights.len(), setup.motion.is_some())?;
     let outputs = Outputs::new(args, setup.lights.len());
-    targets::check(args.sources().iter().map(PathBuf::as_path), outputs.paths())?;
+    targets::check(outputs.paths())?;
     let backend = machine::open(&args.machine, args.counts)?;
     describe(&setup, out)?;
     let mut time = Duration::ZERO;

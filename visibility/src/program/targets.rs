@@ -1,44 +1,24 @@
 //! Files that a command is to write: refused before the work where they cannot be, numbered where there are several.
 
-use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
 use sightlines_visibility::error::Place;
-use sightlines_visibility::output;
+use sightlines_visibility::{input, output};
 
-/// Refuses targets that cannot be written, that are one file, or that would replace one of `sources`.
-pub(crate) fn check<'a>(
-    sources: impl IntoIterator<Item = &'a Path>,
-    targets: impl IntoIterator<Item = &'a Path>,
-) -> sightlines_visibility::Result<()> {
-    let mut taken: Vec<PathBuf> = sources.into_iter().map(real).collect();
+/// Refuses targets that cannot be written, that are one file, or that would replace one that was read or that is named
+/// there: so it is asked when everything is read.
+pub(crate) fn check<'a>(targets: impl IntoIterator<Item = &'a Path>) -> sightlines_visibility::Result<()> {
+    let mut taken: Vec<PathBuf> = Vec::new();
     for path in targets {
         output::probe(path)?;
-        if taken.contains(&real(path)) {
+        if input::is_source(path) || taken.contains(&real(path)) {
             let remedy = "give every result a file of its own";
             return Err(Place::file(path).error("the file is read, or is the target of another result", remedy));
         }
         taken.push(real(path));
     }
     Ok(())
-}
-
-/// The files that a scene file may read, which has been read already: every text in it, as a path beside it.
-pub(crate) fn named_in(scene_file: &Path) -> Vec<PathBuf> {
-    let text = fs::read_to_string(scene_file).unwrap_or_default();
-    let mut values: Vec<toml::Value> =
-        text.parse::<toml::Table>().unwrap_or_default().into_iter().map(|(_, v)| v).collect();
-    let mut named = Vec::new();
-    while let Some(value) = values.pop() {
-        match value {
-            toml::Value::String(name) => named.push(scene_file.with_file_name(name)),
-            toml::Value::Array(inner) => values.extend(inner),
-            toml::Value::Table(inner) => values.extend(inner.into_iter().map(|(_, value)| value)),
-            _ => {}
-        }
-    }
-    named
 }
 
 /// A path by which a file is known whatever name it is given, whether it is there or not.

@@ -90,7 +90,7 @@ fn ply_elements_of_nothing_are_refused_before_they_are_counted() {
 #[test]
 fn what_is_not_a_shape_is_refused() {
     let cases = [
-        ("", "there is no triangle in it"),
+        ("", "the file is empty"),
         ("v 0 0 0\nv 1 0 0\nl 1 2\nf\nf 1 2\n", "there is no triangle in it"),
         ("v 1 2 3\nf 1 1 1\n", "all its vertices coincide"),
         ("v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n", "vertex 2: the coordinates (1.0, NaN, 0.0) are not finite"),

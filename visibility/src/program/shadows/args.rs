@@ -13,7 +13,6 @@ use sightlines_visibility::shadows::surface::HeightMap;
 
 use crate::program::cli::{Axis, Bits, MachineArgs, Source};
 use crate::program::effort::EffortArgs;
-use crate::program::targets;
 
 /// What `--help` says after the options.
 pub(crate) const SHADOWS_HELP: &str = "\
@@ -199,14 +198,6 @@ impl ShadowsArgs {
             motion: self.motion,
             frames: self.frames,
         })
-    }
-
-    /// Files that are read.
-    pub(crate) fn sources(&self) -> Vec<PathBuf> {
-        let pattern = self.pattern.as_ref().filter(|name| Placement::from_name(name).is_none()).map(PathBuf::from);
-        let files = self.source.model.iter().chain(&self.source.scene_file).chain(&self.heights).cloned();
-        let named = self.source.scene_file.iter().flat_map(|file| targets::named_in(file));
-        files.chain(pattern).chain(named).collect()
     }
 
     /// Refuses results that cannot be had together.

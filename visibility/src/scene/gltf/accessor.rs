@@ -11,6 +11,7 @@ use gltf::{Accessor, Document};
 
 use super::REMEDY;
 use crate::error::{Error, Place, Result};
+use crate::input;
 use crate::scene::{Affine, MAX_FILE_BYTES, MAX_TRIANGLES, MAX_VERTICES, limit, load};
 use crate::vector::Vector;
 
@@ -21,6 +22,13 @@ pub(super) struct Buffers<'a> {
 
 impl<'a> Buffers<'a> {
     pub(super) fn load(path: &'a Path, document: &Document, mut blob: Option<Vec<u8>>) -> Result<Self> {
+        for image in document.images() {
+            if let gltf::image::Source::Uri { uri, .. } = image.source()
+                && let Some(name) = percent_decoded(uri)
+            {
+                input::remember(&path.with_file_name(name));
+            }
+        }
         let (mut bytes, mut total) = (Vec::new(), 0);
         for buffer in document.buffers() {
             let place = || Place::file(path).element(format!("buffer {}", buffer.index()));
