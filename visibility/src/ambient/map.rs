@@ -18,6 +18,9 @@ use crate::input;
 /// Largest file that is read, in bytes.
 const MAX_BYTES: u64 = 1 << 30;
 
+/// Largest values of a channel, which fixed point has room for.
+const RANGE: std::ops::RangeInclusive<f32> = 1e-4..=1e23;
+
 const REMEDY: &str = "export the environment again, as Radiance HDR or OpenEXR";
 
 impl Environment {
@@ -78,6 +81,13 @@ fn check(place: &Place, picture: Picture) -> Result<Picture> {
         let what = format!("it is {:?}", texels[at]);
         let remedy = "clip the environment to finite values that are not negative";
         return Err(place.clone().element(format!("texel in row {row}, column {column}")).error(what, remedy));
+    }
+    for (channel, name) in ["red", "green", "blue"].into_iter().enumerate() {
+        let most = texels.iter().map(|texel| texel[channel]).fold(0.0, f32::max);
+        if most != 0.0 && !RANGE.contains(&most) {
+            let remedy = format!("scale the environment: {:e} to {:e} are taken", RANGE.start(), RANGE.end());
+            return Err(place.clone().error(format!("the largest {name} is {most:e}"), remedy));
+        }
     }
     Ok(picture)
 }

@@ -6,7 +6,7 @@ mod pictures;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use sightlines_backend::{Backend, Counts};
 use sightlines_kernels::illumination::gamma_table;
@@ -22,8 +22,11 @@ use self::frames::Frames;
 use super::progress::Progress;
 use super::{Failure, machine, targets};
 
-/// Blocks after which a matrix on the way is written.
-const CHECKPOINT: u32 = 16;
+/// Time after which a matrix on the way is written.
+const PAUSE: Duration = Duration::from_secs(10);
+
+/// How many times longer the work goes on than its writing takes.
+const SHARE: u32 = 20;
 
 /// Bakes, writes and reports.
 pub(crate) fn run(args: &AmbientArgs, out: &mut dyn Write) -> Result<(), Failure> {
@@ -91,14 +94,19 @@ fn extension(path: &Path) -> Option<String> {
     path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase())
 }
 
-/// The shaded scenes to write.
+/// The shaded scenes to write. Names must say what is in their files, and so must that of pictures.
 fn outputs(args: &AmbientArgs) -> Result<Vec<PathBuf>> {
     let mut outputs = args.output.clone();
     if outputs.is_empty() && args.matrix.is_none() && args.picture.is_none() {
         outputs.push("ambient.glb".into());
     }
-    match outputs.iter().find(|path| !matches!(extension(path).as_deref(), Some("glb" | "ply"))) {
-        Some(path) => Err(Place::file(path).error("neither .glb nor .ply", "name a file with one of these extensions")),
+    let is_one = |path: &Path, of: &[&str]| extension(path).is_some_and(|extension| of.contains(&extension.as_str()));
+    let wrong = |path: &Path, what| Err(Place::file(path).error(what, "name a file with such an extension"));
+    if let Some(path) = outputs.iter().find(|path| !is_one(path, &["glb", "ply"])) {
+        return wrong(path, "neither .glb nor .ply");
+    }
+    match args.picture.as_ref().filter(|path| !is_one(path, &["png"])) {
+        Some(path) => wrong(path, "not .png, as pictures are"),
         None => Ok(outputs),
     }
 }
@@ -113,26 +121,46 @@ fn compute(args: &AmbientArgs, surface: &Surface, matrix: &mut Matrix<'_>) -> Re
     }
     let resumed = matrix.done();
     let progress = Progress::new(format!("{} directions", sphere.count()));
-    let save = |matrix: &mut Matrix<'_>| {
-        let write = |path: &PathBuf| Stored::of(matrix, surface, sphere, args.bias)?.write(path);
-        args.matrix.as_ref().map_or(Ok(()), write)
-    };
-    let mut blocks = 0;
+    let mut saved = Checkpoint { last: Instant::now(), cost: Duration::ZERO };
     for target in sphere.refinements() {
         let mut grown = false;
         while matrix.advance(target)? {
             grown = true;
-            blocks += 1;
             progress.show(matrix.done() as f32 / sphere.count() as f32);
-            if blocks % CHECKPOINT == 0 {
-                save(matrix)?;
+            if saved.is_old() {
+                saved.save(args, surface, matrix)?;
             }
         }
         if grown || target == sphere {
-            save(matrix)?;
+            saved.save(args, surface, matrix)?;
         }
     }
     Ok(resumed)
+}
+
+/// The last time that a matrix on the way was written, and how long that took.
+struct Checkpoint {
+    last: Instant,
+    cost: Duration,
+}
+
+impl Checkpoint {
+    fn is_old(&self) -> bool {
+        is_old(self.last.elapsed(), self.cost)
+    }
+
+    /// Writes the matrix, if the command line asks for its file.
+    fn save(&mut self, args: &AmbientArgs, surface: &Surface, matrix: &mut Matrix<'_>) -> Result<()> {
+        let Some(path) = &args.matrix else { return Ok(()) };
+        let start = Instant::now();
+        Stored::of(matrix, surface, args.sphere(), args.bias)?.write(path)?;
+        *self = Checkpoint { last: Instant::now(), cost: start.elapsed() };
+        Ok(())
+    }
+}
+
+fn is_old(elapsed: Duration, cost: Duration) -> bool {
+    elapsed >= PAUSE.max(SHARE * cost)
 }
 
 /// Colours of all vertices.
@@ -209,4 +237,16 @@ fn count(work: &Work, pairs: u64, out: &mut dyn Write) -> Result<(), Failure> {
         writeln!(out, "memory     {loads} loads, {stores} stores, {atomics} atomics, {bytes} bytes")?;
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_matrix_is_written_now_and_then_and_its_writing_stays_a_small_part_of_the_time() {
+        let seconds = Duration::from_secs;
+        assert!(!is_old(seconds(9), seconds(0)) && is_old(seconds(10), seconds(0)));
+        assert!(!is_old(seconds(59), seconds(3)) && is_old(seconds(60), seconds(3)));
+    }
 }

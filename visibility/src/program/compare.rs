@@ -33,7 +33,7 @@ pub(crate) struct CompareArgs {
     #[command(flatten)]
     source: Source,
     /// Sides of the light, in radii of the scene [default: 0.4].
-    #[arg(long, value_name = "X,…", value_delimiter = ',', allow_negative_numbers = true)]
+    #[arg(long, value_name = "X,…", value_delimiter = ',', allow_hyphen_values = true)]
     light_size: Vec<f64>,
     /// Texels a side of the receiver [default: 256].
     #[arg(long, value_name = "N,…", value_delimiter = ',')]

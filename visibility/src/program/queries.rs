@@ -13,7 +13,7 @@ use sightlines_visibility::error::{Place, Result};
 use sightlines_visibility::queries::files::{View, write_csv, write_heat_map, write_json, write_seen};
 use sightlines_visibility::queries::{Granularity, Method, Stage, query, share};
 use sightlines_visibility::scene::frame::Frame;
-use sightlines_visibility::scene::{Camera, World, generate_world, load_world};
+use sightlines_visibility::scene::{Camera, Generator, World, generate_world, load_world};
 
 use super::cli::{Axis, MachineArgs};
 use super::progress::Progress;
@@ -113,8 +113,9 @@ enum MethodName {
 
 /// A generated world by name.
 pub(crate) fn world(name: &str) -> Result<World, String> {
-    let names = "choose crowd-1 to crowd-2000, bumpy-24 to bumpy-2000000, hall, trio, palms, box, quads or colonnade";
-    generate_world(name).ok_or_else(|| names.to_owned())
+    let more = || Generator::ALL.map(Generator::name).join(", ");
+    let names = || format!("choose crowd-1 to crowd-2000, bumpy-24 to bumpy-2000000, hall, trio, {}", more());
+    generate_world(name).ok_or_else(names)
 }
 
 pub(crate) fn size(words: &str) -> Result<Picture, String> {

@@ -71,6 +71,17 @@ pub(super) fn name(path: &Path) -> String {
     path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }
 
+/// Refuses files of the formats that have no animations.
+pub(super) fn check_moving(path: &Path, bytes: &[u8]) -> Result<()> {
+    match format(path, bytes)? {
+        Format::Gltf => Ok(()),
+        Format::Obj | Format::Ply => {
+            let remedy = "give a glTF file with an animation, or leave out --frames";
+            Err(Place::file(path).error("OBJ and PLY files have no animations", remedy))
+        }
+    }
+}
+
 fn format(path: &Path, bytes: &[u8]) -> Result<Format> {
     let text = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes).trim_ascii_start();
     if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r\n") {

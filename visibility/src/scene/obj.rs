@@ -3,8 +3,8 @@
 //! Normals are taken where every corner of every face has one that is there; a vertex with several becomes as many.
 //!
 //! `tobj` would refuse a mesh for its texture coordinates, makes a face of a polyline, and tells what is wrong but not
-//! where. So it is given the [`statements`] that matter, through a reader that knows how far it has come, and texture coordinates
-//! are read beside it ([`maps`]), in the same order of faces.
+//! where. So it is given the [`statements`] that matter, through a reader that knows how far it has come, and texture
+//! coordinates are read beside it ([`maps`]), in the same order of faces.
 
 use std::borrow::Cow;
 use std::collections::HashMap;

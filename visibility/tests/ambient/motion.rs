@@ -304,6 +304,9 @@ fn nodes_and_skins_of_a_file_move_between_their_keys() {
         assert_eq!(skin.vertices[1], [1.0, 0.0, 0.0]);
         assert_eq!(rigid.vertices[0], [moved, 0.0, 0.0], "steps hold: {time}");
     }
+    let still = ["rotation", "translation"].iter().fold(json.clone(), |json, path| json.replace(path, "weights"));
+    std::fs::write(&path, still).unwrap();
+    assert!(Motion::load(&path).unwrap_err().to_string().contains("its first animation moves no node of the scene"));
     for (from, to, expected) in [
         ("\"LINEAR\"", "\"CUBICSPLINE\"", "channel 0 of the animation: 2 keys and 2 values, where each key has 3"),
         ("\"animations\"", "\"unknown\"", "it has no animation"),

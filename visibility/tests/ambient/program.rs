@@ -151,12 +151,17 @@ fn bad_input_is_named_and_nothing_is_written() {
     let folder = Folder::new();
     std::fs::write(folder.path("open.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
     std::fs::write(folder.path("bad.hdr"), "#?RADIANCE\n\n-Y 1 +X 2\n\u{1}").unwrap();
+    let bright = [b"#?RADIANCE\n\n-Y 1 +X 2\n", &[255_u8; 8][..]].concat();
+    std::fs::write(folder.path("bright.hdr"), bright).unwrap();
     std::fs::write(folder.path("bad.occl"), "sightlines").unwrap();
     let before = folder.names();
     for (line, expected) in [
         ("open.obj -o a.png", "a.png: neither .glb nor .ply"),
         ("open.obj -o a.glb -o ./a.glb", "the target of another result"),
         ("open.obj -o a.glb --matrix a.glb", "the target of another result"),
+        ("open.obj --picture a.jpg", "a.jpg: not .png, as pictures are"),
+        ("open.obj --frames 2 --picture a.png", "open.obj: OBJ and PLY files have no animations"),
+        ("open.obj --environment bright.hdr", "bright.hdr: the largest red is 1.69"),
         ("none.obj", "none.obj: cannot be read"),
         ("open.obj --environment none.hdr", "none.hdr: cannot be read"),
         ("open.obj --environment bad.hdr", "bad.hdr: scanline 1: the file ends before it does"),

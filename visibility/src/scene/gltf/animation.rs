@@ -69,6 +69,10 @@ impl Animated {
                 channels.push(Channel::read(path, &buffers, node, &channel)?);
             }
         }
+        if channels.is_empty() {
+            let remedy = "export it with keys of nodes; morph targets are not read";
+            return Err(Place::file(path).error("its first animation moves no node of the scene", remedy));
+        }
         let mut skins = Vec::new();
         for skin in document.skins() {
             let outside = || {
