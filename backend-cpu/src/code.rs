@@ -9,7 +9,7 @@ mod ops;
 use std::fmt;
 
 pub use ops::{AtomicOp, BinOp, Compare, Pair, QuadOp, TernOp, Test, UnOp};
-pub(crate) use ops::{Parts, pairs};
+pub(crate) use ops::{Parts, is_word, pairs};
 
 /// Where a load, store or atomic goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -116,6 +116,13 @@ pub enum Inst<R = Reg> {
         dst: R,
         accept: R,
         reject: R,
+    },
+    /// `dst = a == words[0] ? arms[0] : a == words[1] ? arms[1] : arms[2]`.
+    Switch {
+        dst: R,
+        a: R,
+        words: [R; 2],
+        arms: [R; 3],
     },
     /// Masked copy.
     Blend {
@@ -295,6 +302,10 @@ impl<R: Copy> Inst<R> {
             Inst::Choose { test, dst, accept, reject } => {
                 let (test, accept, reject) = (test.map(f), f(accept, false), f(reject, false));
                 Inst::Choose { test, dst: f(dst, true), accept, reject }
+            }
+            Inst::Switch { dst, a, words, arms } => {
+                let (a, words, arms) = (f(a, false), words.map(|r| f(r, false)), arms.map(|r| f(r, false)));
+                Inst::Switch { dst: f(dst, true), a, words, arms }
             }
             Inst::Blend { dst, a } => {
                 let a = f(a, false);

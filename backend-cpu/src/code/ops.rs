@@ -369,7 +369,7 @@ macro_rules! pairs {
 pub(crate) use pairs;
 
 /// What kind of operand a pair takes, as written in the list.
-const fn is_word(kind: &str) -> bool {
+pub(crate) const fn is_word(kind: &str) -> bool {
     kind.len() == "word".len()
 }
 

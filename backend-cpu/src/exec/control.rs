@@ -26,7 +26,7 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
     }
 
     fn passing(&self, test: Test) -> Mask {
-        compare::passing(self.s, self.rows(), &self.exec, test)
+        compare::passing(self.s, &self.rows, &self.exec, test)
     }
 
     /// Lanes leave the constructs whose slots begin at `from`.
@@ -34,7 +34,7 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
         for slot in &mut self.slots[from as usize..] {
             *slot = slot.and_not(lanes);
         }
-        self.exec.set(self.exec.mask.and_not(lanes));
+        self.activate(self.exec.mask.and_not(lanes));
     }
 
     /// Lanes that fail leave a loop; whether any is left.
@@ -55,7 +55,7 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
                     return Some(to as usize);
                 }
                 self.slots[slot as usize] = self.exec.mask;
-                self.exec.set(lanes);
+                self.activate(lanes);
                 return None;
             }
             Inst::Split { test, slot, to } => {
@@ -65,15 +65,15 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
                 if lanes.is_empty() {
                     return Some(to as usize);
                 }
-                self.exec.set(lanes);
+                self.activate(lanes);
                 return None;
             }
             Inst::Else { slot, to } => {
-                self.exec.set(self.slots[slot as usize + 1]);
+                self.activate(self.slots[slot as usize + 1]);
                 to
             }
             Inst::Restore { slot, to } => {
-                self.exec.set(self.slots[slot as usize]);
+                self.activate(self.slots[slot as usize]);
                 to
             }
             Inst::Save { slot } => {

@@ -1,184 +1,139 @@
 //! Several operations in one pass over the lanes: pairs, and choices by a comparison.
 //!
 //! What a pass saves is loads and stores of registers and the fetch of an instruction, which cost more than most
-//! operations do. Every loop is compiled for the kinds of its operands, so that nothing is decided inside it.
-
-use std::cell::Cell;
+//! operations do.
 
 use fearless_simd::{Simd, u32x16};
 
-use super::alu::{Chunk, Rows, load, store};
 use super::lanes::{Lanes, for_comparison, op};
-use crate::code::{Compare, Pair, QuadOp, Reg, Test, pairs};
+use super::rows::{At, Operand, Row, Rows, operands, pass};
+use crate::code::{Compare, Pair, QuadOp, Reg, Test, is_word, pairs};
 
-/// An operand whose kind is known when the loop is compiled.
-trait Operand<S: Simd>: Copy {
-    /// Chunk `i`.
-    fn at(self, s: S, i: usize) -> u32x16<S>;
-
-    /// `t op` this, on chunk `i`.
-    #[inline(always)]
-    fn after<O: Lanes>(self, s: S, t: u32x16<S>, i: usize) -> u32x16<S> {
-        O::apply(s, t, self.at(s, i))
-    }
-}
-
-/// A row of lanes.
-#[derive(Clone, Copy)]
-struct Row<'a>(&'a [Cell<Chunk>]);
-
-/// A word that all lanes share.
-#[derive(Clone, Copy)]
-struct Word(u32);
-
-impl<S: Simd> Operand<S> for Row<'_> {
-    #[inline(always)]
-    fn at(self, s: S, i: usize) -> u32x16<S> {
-        load(s, &self.0[i])
-    }
-}
-
-impl<S: Simd> Operand<S> for Word {
-    #[inline(always)]
-    fn at(self, s: S, _: usize) -> u32x16<S> {
-        s.splat_u32x16(self.0)
-    }
-
-    #[inline(always)]
-    fn after<O: Lanes>(self, s: S, t: u32x16<S>, _: usize) -> u32x16<S> {
-        O::by(s, t, self.0)
-    }
-}
-
-#[inline(always)]
-fn row<'a>(r: &Rows<'a>, register: Reg) -> Row<'a> {
-    Row(&r.row(register)[..r.high - r.low])
-}
-
-#[inline(always)]
-fn word(r: &Rows<'_>, register: Reg) -> Word {
-    Word(r.scalar(register))
-}
-
-/// `dst = f(chunk number)`.
-#[inline(always)]
-fn pass<S: Simd>(r: &Rows<'_>, dst: Reg, f: impl Fn(usize) -> u32x16<S>) {
-    for (i, d) in row(r, dst).0.iter().enumerate() {
-        store(d, f(i));
-    }
-}
-
-/// `dst = op(a, b, c)`, on a vector register.
-pub(super) fn pair<S: Simd>(s: S, r: Rows<'_>, pair: Pair, dst: Reg, [a, b, c]: [Reg; 3]) {
-    macro_rules! second {
-        ($op:ident left, $t:expr, $c:expr, $i:expr) => {
-            $c.after::<op::$op>(s, $t, $i)
-        };
-        ($op:ident right, $t:expr, $c:expr, $i:expr) => {
-            op::$op::apply(s, $c.at(s, $i), $t)
-        };
-    }
-    macro_rules! passes {
-        ($($pair:ident = $first:ident $b:ident $second:ident $c:ident $side:ident),* $(,)?) => {
-            match pair {
-                $(Pair::$pair => {
-                    let (a, b, c) = (row(&r, a), $b(&r, b), $c(&r, c));
-                    pass(&r, dst, #[inline(always)] |i| {
-                        let t = b.after::<op::$first>(s, a.at(s, i), i);
-                        second!($second $side, t, c, i)
-                    });
-                })*
-                Pair::XorShrMul => {
-                    let (a, b, c) = (row(&r, a), word(&r, b), word(&r, c));
-                    pass(&r, dst, #[inline(always)] |i| {
-                        let x = a.at(s, i);
-                        c.after::<op::Mul>(s, op::Xor::apply(s, x, b.after::<op::ShrU>(s, x, i)), i)
-                    });
-                }
-            }
-        };
-    }
+/// `dst = op(a, b, c)`, on a vector register; `a` is a row, and what the others are is the pair's.
+pub(super) fn pair<S: Simd>(s: S, r: &Rows<'_>, pair: Pair, dst: Reg, [a, b, c]: [Reg; 3]) {
     s.vectorize(
         #[inline(always)]
-        || pairs!(passes),
-    );
-}
-
-/// `dst = op(a, b, c, d)`, on a vector register; `a` and `c` are rows.
-pub(super) fn quad<S: Simd>(s: S, r: Rows<'_>, op: QuadOp, dst: Reg, [a, b, c, d]: [Reg; 4]) {
-    macro_rules! loops {
-        ($b:ident, $d:ident) => {{
-            let (a, b, c, d) = (row(&r, a), $b(&r, b), row(&r, c), $d(&r, d));
-            macro_rules! each {
-                (|$i:ident| $form:expr) => {
-                    pass(
-                        &r,
-                        dst,
-                        #[inline(always)]
-                        |$i| $form,
-                    )
-                };
-            }
-            // A truth value is −1.
-            match op {
-                QuadOp::MulMulAdd => each!(|i| s.add_u32x16(product(s, a, b, i), product(s, c, d, i))),
-                QuadOp::MulMulSub => each!(|i| s.sub_u32x16(product(s, a, b, i), product(s, c, d, i))),
-                QuadOp::ShlShrOr => {
-                    each!(|i| s.or_u32x16(b.after::<op::Shl>(s, a.at(s, i), i), d.after::<op::ShrU>(s, c.at(s, i), i)))
-                }
-                QuadOp::AddCarry => each!(|i| s.sub_u32x16(s.add_u32x16(a.at(s, i), b.at(s, i)), less(s, c, d, i))),
-                QuadOp::SubBorrow => each!(|i| s.add_u32x16(s.sub_u32x16(a.at(s, i), b.at(s, i)), less(s, c, d, i))),
-                QuadOp::EqLtU => each!(|i| s.and_u32x16(equal(s, a, b, i), less(s, c, d, i))),
-                QuadOp::LtWide => {
-                    each!(|i| { s.or_u32x16(less(s, a, b, i), s.and_u32x16(equal(s, a, b, i), less(s, c, d, i))) })
-                }
-                QuadOp::GeWide => each!(|i| {
-                    s.not_u32x16(s.or_u32x16(less(s, a, b, i), s.and_u32x16(equal(s, a, b, i), less(s, c, d, i))))
-                }),
-            }
-        }};
-    }
-    s.vectorize(
-        #[inline(always)]
-        || match (b.is_scalar(), d.is_scalar()) {
-            (false, false) => loops!(row, row),
-            (false, true) => loops!(row, word),
-            (true, false) => loops!(word, row),
-            (true, true) => loops!(word, word),
+        move || {
+            let (dst, a) = (r.operand(dst), r.operand(a));
+            operands!(r, [b, c] => pair_row(s, pair, dst, a, b, c));
         },
     );
 }
 
 #[inline(always)]
-fn product<S: Simd>(s: S, a: Row<'_>, b: impl Operand<S>, i: usize) -> u32x16<S> {
-    s.mul_u32x16(a.at(s, i), b.at(s, i))
+fn pair_row<S: Simd, B: Operand<S>, C: Operand<S>>(s: S, pair: Pair, dst: Row<'_>, a: Row<'_>, b: B, c: C) {
+    macro_rules! second {
+        ($op:ident left, $t:expr, $at:expr) => {
+            c.after::<op::$op>(s, $t, $at)
+        };
+        ($op:ident right, $t:expr, $at:expr) => {
+            op::$op::apply(s, c.at(s, $at), $t)
+        };
+    }
+    macro_rules! passes {
+        ($($pair:ident = $first:ident $b:ident $second:ident $c:ident $side:ident),* $(,)?) => {
+            match pair {
+                // Loops for operands that a pair never has are left out.
+                $(Pair::$pair if B::IS_WORD == is_word(stringify!($b)) && C::IS_WORD == is_word(stringify!($c)) => {
+                    pass(dst, #[inline(always)] |at| {
+                        let t = b.after::<op::$first>(s, a.at(s, at), at);
+                        second!($second $side, t, at)
+                    });
+                })*
+                Pair::XorShrMul if B::IS_WORD && C::IS_WORD => {
+                    pass(dst, #[inline(always)] |at| {
+                        let x = a.at(s, at);
+                        c.after::<op::Mul>(s, op::Xor::apply(s, x, b.after::<op::ShrU>(s, x, at)), at)
+                    });
+                }
+                other => unreachable!("{other:?} on operands of other kinds"),
+            }
+        };
+    }
+    pairs!(passes);
+}
+
+/// `dst = op(a, b, c, d)`, on a vector register; `a` and `c` are rows.
+pub(super) fn quad<S: Simd>(s: S, r: &Rows<'_>, op: QuadOp, dst: Reg, [a, b, c, d]: [Reg; 4]) {
+    s.vectorize(
+        #[inline(always)]
+        move || {
+            let (dst, a, c) = (r.operand(dst), r.operand(a), r.operand(c));
+            operands!(r, [b, d] => quad_row(s, op, dst, (a, b), (c, d)));
+        },
+    );
 }
 
 #[inline(always)]
-fn less<S: Simd>(s: S, a: Row<'_>, b: impl Operand<S>, i: usize) -> u32x16<S> {
-    op::LtU::apply(s, a.at(s, i), b.at(s, i))
+fn quad_row<'a, S: Simd, B: Operand<S>, D: Operand<S>>(
+    s: S,
+    op: QuadOp,
+    dst: Row<'a>,
+    (a, b): (Row<'a>, B),
+    (c, d): (Row<'a>, D),
+) {
+    macro_rules! each {
+        (|$at:ident| $form:expr) => {
+            pass(
+                dst,
+                #[inline(always)]
+                |$at| $form,
+            )
+        };
+    }
+    // A truth value is −1.
+    match op {
+        QuadOp::MulMulAdd => each!(|at| s.add_u32x16(product(s, a, b, at), product(s, c, d, at))),
+        QuadOp::MulMulSub => each!(|at| s.sub_u32x16(product(s, a, b, at), product(s, c, d, at))),
+        QuadOp::ShlShrOr => {
+            each!(|at| s.or_u32x16(b.after::<op::Shl>(s, a.at(s, at), at), d.after::<op::ShrU>(s, c.at(s, at), at)))
+        }
+        QuadOp::AddCarry => each!(|at| s.sub_u32x16(s.add_u32x16(a.at(s, at), b.at(s, at)), less(s, c, d, at))),
+        QuadOp::SubBorrow => each!(|at| s.add_u32x16(s.sub_u32x16(a.at(s, at), b.at(s, at)), less(s, c, d, at))),
+        QuadOp::EqLtU => each!(|at| s.and_u32x16(equal(s, a, b, at), less(s, c, d, at))),
+        QuadOp::LtWide => each!(|at| wide_less(s, (a, b), (c, d), at)),
+        QuadOp::GeWide => each!(|at| s.not_u32x16(wide_less(s, (a, b), (c, d), at))),
+    }
 }
 
 #[inline(always)]
-fn equal<S: Simd>(s: S, a: Row<'_>, b: impl Operand<S>, i: usize) -> u32x16<S> {
-    op::Eq::apply(s, a.at(s, i), b.at(s, i))
+fn product<S: Simd>(s: S, a: Row<'_>, b: impl Operand<S>, at: At) -> u32x16<S> {
+    s.mul_u32x16(a.at(s, at), b.at(s, at))
+}
+
+#[inline(always)]
+fn less<S: Simd>(s: S, a: Row<'_>, b: impl Operand<S>, at: At) -> u32x16<S> {
+    op::LtU::apply(s, a.at(s, at), b.at(s, at))
+}
+
+#[inline(always)]
+fn equal<S: Simd>(s: S, a: Row<'_>, b: impl Operand<S>, at: At) -> u32x16<S> {
+    op::Eq::apply(s, a.at(s, at), b.at(s, at))
+}
+
+/// Whether 2^32 a + c is less than 2^32 b + d.
+#[inline(always)]
+fn wide_less<S: Simd>(
+    s: S,
+    (a, b): (Row<'_>, impl Operand<S>),
+    (c, d): (Row<'_>, impl Operand<S>),
+    at: At,
+) -> u32x16<S> {
+    s.or_u32x16(less(s, a, b, at), s.and_u32x16(equal(s, a, b, at), less(s, c, d, at)))
 }
 
 /// [`crate::code::Inst::Mix`], on a vector register.
-pub(super) fn mix<S: Simd>(s: S, r: Rows<'_>, dst: Reg, a: Reg, by: [Reg; 5]) {
-    let [first, factor, second, other, last] = by;
-    let (first, second, last) = (r.scalar(first), r.scalar(second), r.scalar(last));
-    let (factor, other) = (r.scalar(factor), r.scalar(other));
+pub(super) fn mix<S: Simd>(s: S, r: &Rows<'_>, dst: Reg, a: Reg, by: [Reg; 5]) {
     s.vectorize(
         #[inline(always)]
-        || {
-            let a = row(&r, a);
+        move || {
+            let (dst, a) = (r.operand(dst), r.operand(a));
+            let [first, factor, second, other, last] = by.map(|word| r.scalar(word));
             pass(
-                &r,
                 dst,
                 #[inline(always)]
-                |i| {
-                    let x = op::Mul::by(s, folded(s, a.at(s, i), first), factor);
+                |at| {
+                    let x = op::Mul::by(s, folded(s, a.at(s, at), first), factor);
                     folded(s, op::Mul::by(s, folded(s, x, second), other), last)
                 },
             );
@@ -192,65 +147,71 @@ fn folded<S: Simd>(s: S, x: u32x16<S>, by: u32) -> u32x16<S> {
     s.xor_u32x16(x, op::ShrU::by(s, x, by))
 }
 
-/// Calls a macro with the kinds of two operands that are chosen from.
-macro_rules! arms {
-    ($accept:ident, $reject:ident, $choices:ident, $($test:tt)*) => {
-        match ($accept.is_scalar(), $reject.is_scalar()) {
-            (false, false) => $choices!($($test)*, row, row),
-            (false, true) => $choices!($($test)*, row, word),
-            (true, false) => $choices!($($test)*, word, row),
-            (true, true) => $choices!($($test)*, word, word),
-        }
-    };
-}
-
 /// `dst = test ? accept : reject`, on a vector register; the first operand of the test is a row.
-pub(super) fn choose<S: Simd>(s: S, r: Rows<'_>, test: Test, dst: Reg, arms: [Reg; 2]) {
+pub(super) fn choose<S: Simd>(s: S, r: &Rows<'_>, test: Test, dst: Reg, arms: [Reg; 2]) {
     let negated = matches!(test.op, Compare::NotLtF | Compare::NotLeF);
     let (test, [accept, reject]) = if negated { (test.negated(), [arms[1], arms[0]]) } else { (test, arms) };
-    let Test { op: test, a, b } = test;
-    macro_rules! choices {
-        ($test:ty, $b:ident, $accept:ident, $reject:ident) => {{
-            let (a, b, accept, reject) = (row(&r, a), $b(&r, b), $accept(&r, accept), $reject(&r, reject));
-            pass(
-                &r,
-                dst,
-                #[inline(always)]
-                |i| choice(s, b.after::<$test>(s, a.at(s, i), i), accept.at(s, i), reject.at(s, i)),
-            );
-        }};
-    }
-    macro_rules! kinds {
-        ($test:ty) => {
-            if b.is_scalar() {
-                arms!(accept, reject, choices, $test, word)
-            } else {
-                arms!(accept, reject, choices, $test, row)
-            }
-        };
-    }
+    let Test { op, a, b } = test;
     s.vectorize(
         #[inline(always)]
-        || for_comparison!(test, kinds),
+        move || {
+            let (dst, a) = (r.operand(dst), r.operand(a));
+            operands!(r, [b, accept, reject] => choose_row(s, op, dst, (a, b), accept, reject));
+        },
+    );
+}
+
+#[inline(always)]
+fn choose_row<'a, S: Simd, B: Operand<S>>(
+    s: S,
+    test: Compare,
+    dst: Row<'a>,
+    (a, b): (Row<'a>, B),
+    accept: impl Operand<S>,
+    reject: impl Operand<S>,
+) {
+    macro_rules! passes {
+        ($test:ty) => {
+            pass(
+                dst,
+                #[inline(always)]
+                |at| choice(s, b.after::<$test>(s, a.at(s, at), at), accept.at(s, at), reject.at(s, at)),
+            )
+        };
+    }
+    for_comparison!(test, passes);
+}
+
+/// [`crate::code::Inst::Switch`], on a vector register; `a` is a row.
+pub(super) fn switch<S: Simd>(s: S, r: &Rows<'_>, dst: Reg, a: Reg, words: [Reg; 2], [x, y, z]: [Reg; 3]) {
+    s.vectorize(
+        #[inline(always)]
+        move || {
+            let (dst, a, [first, second]) = (r.operand(dst), r.operand(a), words.map(|word| r.word(word)));
+            operands!(r, [x, y, z] => pass(
+                dst,
+                #[inline(always)]
+                |at| {
+                    let other = choice(s, equal(s, a, second, at), y.at(s, at), z.at(s, at));
+                    choice(s, equal(s, a, first, at), x.at(s, at), other)
+                },
+            ));
+        },
     );
 }
 
 /// `dst = cond ? accept : reject`, on a vector register; `cond` is a row.
-pub(super) fn select<S: Simd>(s: S, r: Rows<'_>, dst: Reg, cond: Reg, [accept, reject]: [Reg; 2]) {
-    macro_rules! choices {
-        ($cond:ident, $accept:ident, $reject:ident) => {{
-            let (cond, accept, reject) = ($cond(&r, cond), $accept(&r, accept), $reject(&r, reject));
-            pass(
-                &r,
-                dst,
-                #[inline(always)]
-                |i| choice(s, cond.at(s, i), accept.at(s, i), reject.at(s, i)),
-            );
-        }};
-    }
+pub(super) fn select<S: Simd>(s: S, r: &Rows<'_>, dst: Reg, cond: Reg, [accept, reject]: [Reg; 2]) {
     s.vectorize(
         #[inline(always)]
-        || arms!(accept, reject, choices, row),
+        move || {
+            let (dst, cond) = (r.operand(dst), r.operand(cond));
+            operands!(r, [accept, reject] => pass(
+                dst,
+                #[inline(always)]
+                |at| choice(s, cond.at(s, at), accept.at(s, at), reject.at(s, at)),
+            ));
+        },
     );
 }
 

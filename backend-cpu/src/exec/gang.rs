@@ -4,10 +4,11 @@ use std::cell::Cell;
 
 use fearless_simd::Simd;
 
-use super::alu::{self, Chunk, Rows};
+use super::alu;
 use super::fused;
 use super::mask::{CHUNK, Exec, Mask};
 use super::memory::{self, Outside, Private, SharedWord};
+use super::rows::{Chunk, Rows};
 use crate::code::{AtomicArgs, Code, Inst, Mem, Reg};
 use crate::lower::Builtin;
 use crate::semantics;
@@ -116,17 +117,24 @@ impl Worker {
         let size: u32 = launch.code.workgroup_size.iter().product();
         self.workgroup.fill(0);
         self.turns.fill(0);
+        let exec = Exec::new((count * size) as usize);
+        let rows = Rows {
+            vectors: Cell::from_mut(&mut self.vectors[..]).as_slice_of_cells(),
+            scalars: Cell::from_mut(&mut self.scalars[..]).as_slice_of_cells(),
+            chunks: launch.lanes / CHUNK,
+            low: exec.low,
+            high: exec.high,
+        };
         let mut gang = Gang {
             s,
             launch,
-            vectors: Cell::from_mut(&mut self.vectors[..]).as_slice_of_cells(),
-            scalars: Cell::from_mut(&mut self.scalars[..]).as_slice_of_cells(),
+            rows,
             slots: &mut self.slots,
             workgroup: Cell::from_mut(&mut self.workgroup[..]).as_slice_of_cells(),
             private: Private { words: Cell::from_mut(&mut self.private[..]).as_slice_of_cells(), lanes: launch.lanes },
             tallies: &mut self.tallies,
             turns: &mut self.turns,
-            exec: Exec::new((count * size) as usize),
+            exec,
             fuel: launch.fuel,
             count,
             chunk_ops: Cell::from_mut(&mut self.chunk_ops),
@@ -144,8 +152,8 @@ impl Worker {
 pub(super) struct Gang<'a, S, W> {
     pub(super) s: S,
     launch: &'a Launch<'a, W>,
-    vectors: &'a [Cell<Chunk>],
-    scalars: &'a [Cell<u32>],
+    /// The registers, and the chunks that hold active lanes.
+    pub(super) rows: Rows<'a>,
     pub(super) slots: &'a mut [Mask],
     workgroup: &'a [Cell<u32>],
     private: Private<'a>,
@@ -159,42 +167,45 @@ pub(super) struct Gang<'a, S, W> {
 }
 
 impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
+    /// Changes which lanes are active.
+    pub(super) fn activate(&mut self, lanes: Mask) {
+        self.exec.set(lanes);
+        (self.rows.low, self.rows.high) = (self.exec.low, self.exec.high);
+    }
+
     #[inline(always)]
-    pub(super) fn rows(&self) -> Rows<'_> {
-        Rows {
-            vectors: self.vectors,
-            scalars: self.scalars,
-            chunks: self.launch.lanes / CHUNK,
-            low: self.exec.low,
-            high: self.exec.high,
-        }
+    fn count_chunks(&self, chunks: usize) {
+        self.chunk_ops.set(self.chunk_ops.get() + chunks as u64);
     }
 
     /// The rows for an instruction on lanes, which is counted.
     #[inline(always)]
     fn work(&self) -> Rows<'_> {
-        let chunks = (self.exec.high - self.exec.low) as u64;
-        self.chunk_ops.set(self.chunk_ops.get() + chunks);
-        self.rows()
+        self.count_chunks(self.rows.len());
+        self.rows
     }
 
     /// An instruction that computes, on each run of chunks that hold active lanes.
     #[inline(always)]
-    fn each(&self, pass: impl Fn(Rows<'_>)) {
+    fn each(&self, pass: impl Fn(&Rows<'_>)) {
+        if self.exec.solid {
+            self.count_chunks(self.rows.len());
+            return pass(&self.rows);
+        }
         for (low, high) in self.exec.runs() {
-            self.chunk_ops.set(self.chunk_ops.get() + (high - low) as u64);
-            pass(Rows { low, high, ..self.rows() });
+            self.count_chunks(high - low);
+            pass(&Rows { low, high, ..self.rows });
         }
     }
 
     #[inline(always)]
     pub(super) fn scalar(&self, register: Reg) -> u32 {
-        self.scalars[register.index()].get()
+        self.rows.scalars[register.index()].get()
     }
 
     #[inline(always)]
     fn set_scalar(&self, register: Reg, word: u32) {
-        self.scalars[register.index()].set(word);
+        self.rows.scalars[register.index()].set(word);
     }
 
     fn inputs(&self, first: [u32; 3]) {
@@ -210,7 +221,7 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
                 self.set_scalar(input.reg, base);
                 continue;
             }
-            for (cell, table) in self.rows().row(input.reg).iter().zip(table.chunks_exact(CHUNK)) {
+            for (cell, table) in self.rows.row(input.reg).iter().zip(table.chunks_exact(CHUNK)) {
                 cell.set(Chunk(std::array::from_fn(|i| table[i].wrapping_add(base))));
             }
         }
@@ -260,6 +271,10 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
                 Inst::Choose { test, dst, accept, reject } => self.each(
                     #[inline(always)]
                     |rows| fused::choose(self.s, rows, test, dst, [accept, reject]),
+                ),
+                Inst::Switch { dst, a, words, arms } => self.each(
+                    #[inline(always)]
+                    |rows| fused::switch(self.s, rows, dst, a, words, arms),
                 ),
                 Inst::Blend { dst, a } => self.each(
                     #[inline(always)]
@@ -330,7 +345,7 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
             self.set_scalar(dst, index.min(length.wrapping_sub(1)));
             (index >= length).then(|| Outside { lane: self.first_lane(), index, length })
         } else {
-            let wrong = alu::check(self.s, self.work(), &self.exec, dst, index, length);
+            let wrong = alu::check(self.s, &self.work(), &self.exec, dst, index, length);
             wrong.map(|(lane, index)| Outside { lane, index, length })
         };
         self.stop(outside, site)

@@ -43,10 +43,16 @@ impl Mask {
         (self.0[index / 4] >> (index % 4 * CHUNK)) as u16
     }
 
-    /// Sets the bits of one chunk, which are clear.
+    /// The lanes of one word.
     #[inline(always)]
-    pub(super) fn set_chunk(&mut self, index: usize, bits: u16) {
-        self.0[index / 4] |= u64::from(bits) << (index % 4 * CHUNK);
+    pub(super) fn word(self, index: usize) -> u64 {
+        self.0[index]
+    }
+
+    /// Sets the lanes of one word.
+    #[inline(always)]
+    pub(super) fn set_word(&mut self, index: usize, bits: u64) {
+        self.0[index] = bits;
     }
 
     pub(super) fn has(self, lane: usize) -> bool {
@@ -87,13 +93,15 @@ pub(super) struct Exec {
     pub(super) high: usize,
     /// The chunks of that range worth working on: all but long gaps without an active lane.
     live: u64,
+    /// Whether these are all of the range.
+    pub(super) solid: bool,
 }
 
 impl Exec {
     pub(super) fn new(lanes: usize) -> Self {
         let all = Mask::first(lanes);
         let high = lanes.div_ceil(CHUNK);
-        Exec { mask: all, all, full: true, low: 0, high, live: range(0, high) }
+        Exec { mask: all, all, full: true, low: 0, high, live: range(0, high), solid: true }
     }
 
     pub(super) fn set(&mut self, mask: Mask) {
@@ -105,8 +113,11 @@ impl Exec {
         self.low = mask.first_lane().map_or(0, |lane| lane / CHUNK);
         self.high = mask.last_lane().map_or(0, |lane| lane / CHUNK + 1);
         self.live = range(self.low, self.high);
+        self.solid = true;
         if mask.count() as usize * 2 < (self.high - self.low) * CHUNK {
-            self.live &= closed(mask.chunks());
+            let live = self.live & closed(mask.chunks());
+            self.solid = live == self.live;
+            self.live = live;
         }
     }
 
@@ -165,7 +176,7 @@ mod tests {
         assert_eq!((exec.low, exec.high, exec.full), (2, 7, false));
         assert_eq!(exec.runs().collect::<Vec<_>>(), [(2, 7)]);
         let mut copy = Mask::default();
-        (0..16).for_each(|i| copy.set_chunk(i, mask.chunk(i)));
+        (0..2).for_each(|i| copy.set_word(i, mask.0[i]));
         assert_eq!(copy, mask);
     }
 
@@ -176,7 +187,7 @@ mod tests {
             let noise = |lane: u64| (seed * 977 + lane).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 40;
             let mut mask = Mask::default();
             for chunk in (0..chunks).filter(|chunk| noise(*chunk as u64) % (1 + seed % 9) == 0) {
-                mask.set_chunk(chunk, 1 << (noise(chunk as u64 + 99) % 16));
+                mask.0[chunk / 4] |= 1 << (chunk % 4 * CHUNK) << (noise(chunk as u64 + 99) % 16);
             }
             let mut exec = Exec::new(MAX_LANES);
             exec.set(mask);
@@ -187,6 +198,7 @@ mod tests {
             let ends = (runs.first().map(|run| run.0), runs.last().map(|run| run.1));
             let bounds = (!mask.is_empty()).then_some((exec.low, exec.high));
             assert_eq!(ends, (bounds.map(|b| b.0), bounds.map(|b| b.1)));
+            assert_eq!(exec.solid, runs.len() < 2, "{runs:?}");
         }
     }
 }

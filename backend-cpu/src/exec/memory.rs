@@ -8,8 +8,9 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use fearless_simd::Simd;
 
-use super::alu::{self, Chunk, Rows};
+use super::alu;
 use super::mask::{CHUNK, Exec};
+use super::rows::{Chunk, Rows};
 use crate::code::{AtomicArgs, AtomicOp, Reg};
 use crate::semantics;
 
@@ -125,7 +126,7 @@ pub(super) fn load<S: Simd, T: Word>(
     offset: u32,
 ) -> Option<Outside> {
     let row = r.row(dst);
-    let (base, inside) = alu::survey(s, r, addr, offset, words.len());
+    let (base, inside) = alu::survey(s, &r, addr, offset, words.len());
     if let Some(base) = base {
         let start = base.wrapping_add(offset) as usize;
         if let Some(run) = words.get(start..).and_then(|w| w.get(..row.len() * CHUNK)) {
@@ -179,7 +180,7 @@ pub(super) fn store<S: Simd, T: SharedWord>(
         let lane = exec.mask.last_lane()?;
         return store_lane(words, r.scalar(addr).wrapping_add(offset), r.lane(value, lane), lane);
     }
-    let (base, inside) = alu::survey(s, r, addr, offset, words.len());
+    let (base, inside) = alu::survey(s, &r, addr, offset, words.len());
     if exec.full
         && let Some(base) = base
     {

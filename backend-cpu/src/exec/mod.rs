@@ -12,6 +12,7 @@ mod gang;
 mod lanes;
 mod mask;
 mod memory;
+mod rows;
 #[cfg(test)]
 mod tests;
 
@@ -29,8 +30,9 @@ use gang::{Launch, Stop, Tally, View, Worker};
 pub(crate) use mask::{CHUNK, MAX_LANES};
 use memory::SharedWord;
 
-/// Vector registers of a gang should fit in this many bytes, so that they stay in the first-level cache.
-const REGISTER_BYTES: usize = 32 << 10;
+/// Vector registers of a gang should fit in this many bytes. Twice a first-level cache is the least time: what was written
+/// last is read next, and a pass over more lanes is the cheaper.
+const REGISTER_BYTES: usize = 64 << 10;
 
 /// One bound range of a dispatch: buffer, first word, words, and whether any binding of the dispatch writes it.
 #[derive(Clone, Copy, Debug)]

@@ -4,10 +4,11 @@ use std::cell::Cell;
 
 use fearless_simd::{Level, dispatch};
 
-use super::alu::{self, Chunk, Rows};
+use super::alu;
 use super::compare::passing;
 use super::fused;
 use super::mask::{CHUNK, Exec, Mask};
+use super::rows::{Chunk, Rows};
 use crate::Simd;
 use crate::code::{BinOp, Compare, Pair, QuadOp, Reg, TernOp, Test, UnOp};
 use crate::semantics;
@@ -64,7 +65,8 @@ const EDGES: &[u32] = &[
     0xffff_ffff,
 ];
 
-const CHUNKS: usize = 4;
+/// A block, and some chunks more.
+const CHUNKS: usize = 6;
 const LANES: usize = CHUNKS * CHUNK;
 
 fn word(seed: u32) -> u32 {
@@ -103,8 +105,8 @@ impl Files {
         Files { vectors, scalars: vec![0, rows[0][0], rows[1][0], rows[2][0]] }
     }
 
-    fn run(&mut self, f: impl FnOnce(Rows<'_>)) -> Vec<u32> {
-        f(Rows {
+    fn run(&mut self, f: impl FnOnce(&Rows<'_>)) -> Vec<u32> {
+        f(&Rows {
             vectors: Cell::from_mut(&mut self.vectors[..]).as_slice_of_cells(),
             scalars: Cell::from_mut(&mut self.scalars[..]).as_slice_of_cells(),
             chunks: CHUNKS,
@@ -277,13 +279,37 @@ fn choices_agree_on_every_level() {
 }
 
 #[test]
+fn switches_agree_on_every_level() {
+    for (simd, level) in levels() {
+        for rows in operands() {
+            for form in 0..8u16 {
+                let arms: [Reg; 3] = std::array::from_fn(|i| register(3 - i as u16, form >> i & 1 != 0));
+                // The second word is met by the first lane, the third by few.
+                for words in [[2, 1], [1, 1], [3, 2]].map(|words| words.map(Reg::scalar)) {
+                    let got = Files::new(&rows).run(
+                        |r| dispatch!(level, s => fused::switch(s, r, Reg::vector(0), Reg::vector(1), words, arms)),
+                    );
+                    compare(&format!("switch on {}", simd.name()), &got, |lane| {
+                        let word = |r: Reg| rows[r.index() - 1][if r.is_scalar() { 0 } else { lane }];
+                        let arm = words.iter().position(|r| word(*r) == rows[0][lane]).unwrap_or(2);
+                        (word(arms[arm]), format!("{:#x}, {:#x?}", rows[0][lane], words.map(word)))
+                    });
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn masked_operations_agree_on_every_level() {
     let rows = &operands()[0];
     let mut exec = Exec::new(LANES);
-    exec.set(Mask::first(LANES - 3).and_not(Mask::first(5)));
+    exec.set(Mask::first(LANES - 3).and_not(Mask::first(21)));
     for (_, level) in levels() {
-        let got =
-            Files::new(rows).run(|r| dispatch!(level, s => alu::blend(s, r, &exec, Reg::vector(0), Reg::vector(1))));
+        let got = Files::new(rows).run(|r| {
+            let r = &Rows { low: exec.low, high: exec.high, ..*r };
+            dispatch!(level, s => alu::blend(s, r, &exec, Reg::vector(0), Reg::vector(1)));
+        });
         let want = |lane| if exec.mask.has(lane) { rows[0][lane] } else { 0x5555_5555 };
         compare("blend", &got, |lane| (want(lane), format!("lane {lane}")));
 
@@ -309,7 +335,7 @@ fn tests_agree_on_every_level() {
                     let mut masks = [Mask::default(); 2];
                     for (mask, test) in masks.iter_mut().zip([test, test.negated()]) {
                         Files::new(&rows).run(|r| {
-                            let r = Rows { low: exec.low, high: exec.high, ..r };
+                            let r = &Rows { low: exec.low, high: exec.high, ..*r };
                             *mask = dispatch!(level, s => passing(s, r, &exec, test));
                         });
                     }

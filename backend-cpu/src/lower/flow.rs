@@ -97,6 +97,15 @@ pub(super) struct Flow {
     uses: Vec<(Val, u32, BlockId)>,
 }
 
+/// Whether workgroups that share a gang go the ways that one goes alone: no lanes part and no addresses of loads differ
+/// only between workgroups.
+pub(super) fn workgroups_go_together(tree: &Tree) -> bool {
+    let (alone, merged) = (Flow::new(tree, false), Flow::new(tree, true));
+    let ways = alone.constructs.iter().zip(&merged.constructs).all(|(a, b)| a.divergent() == b.divergent());
+    let loads = tree.vals.iter().zip(alone.uniform_vals.iter().zip(&merged.uniform_vals));
+    ways && loads.filter(|(op, _)| matches!(op, Op::Load { .. })).all(|(_, (a, b))| a == b)
+}
+
 impl Flow {
     /// Analyses a tree. In a merged gang the workgroup's id differs between lanes.
     pub(super) fn new(tree: &Tree, merged: bool) -> Self {

@@ -2,14 +2,14 @@
 //!
 //! A pass over the lanes costs the fetch of an instruction and loads and stores of rows, whatever it computes. So a
 //! vector register that is written once and read once, in one straight run of code, disappears: its operation moves to
-//! its reader, as a [`Pair`] or a [`Inst::Choose`]. Invariant: nothing between the two writes what the first one reads,
+//! its reader, as a [`Pair`], an [`Inst::Choose`] or an [`Inst::Switch`]. Invariant: nothing between the two writes what the first one reads,
 //! and both run with the same lanes active. Uniform work stays apart: it is done once and not once a lane.
 
 use std::collections::HashSet;
 
 use super::emit::Linear;
 use super::regs::Virtual;
-use crate::code::{BinOp, Inst, Pair, Parts, QuadOp, TernOp, Test, UnOp};
+use crate::code::{BinOp, Compare, Inst, Pair, Parts, QuadOp, TernOp, Test, UnOp};
 
 /// How far back the first operation may be: its operands live until the second one.
 const REACH: usize = 24;
@@ -138,7 +138,9 @@ impl Fusion {
 
 fn destination(inst: &Inst<Virtual>) -> Option<Virtual> {
     match *inst {
-        Inst::Bin { dst, .. } | Inst::Fused { dst, .. } | Inst::Quad { dst, .. } => Some(dst),
+        Inst::Bin { dst, .. } | Inst::Fused { dst, .. } | Inst::Quad { dst, .. } | Inst::Choose { dst, .. } => {
+            Some(dst)
+        }
         _ => None,
     }
 }
@@ -185,6 +187,15 @@ fn together(first: Inst<Virtual>, second: Inst<Virtual>, t: Virtual) -> Option<I
                 if a.scalar { (test.negated(), [reject, accept]) } else { (test, [accept, reject]) };
             let chosen = cond == t && !test.a.scalar && !dst.scalar;
             chosen.then_some(Inst::Choose { test, dst, accept, reject })
+        }
+        (
+            Inst::Choose { test: inner, accept: second, reject, .. },
+            Inst::Choose { test, dst, accept: first, reject: other },
+        ) => {
+            let same = test.a == inner.a && test.op == Compare::Eq && inner.op == Compare::Eq;
+            let words = [test.b, inner.b];
+            let switch = same && words.iter().all(|word| word.scalar) && other == t && first != t;
+            switch.then_some(Inst::Switch { dst, a: test.a, words, arms: [first, second, reject] })
         }
         _ => None,
     }

@@ -39,7 +39,7 @@ use crate::CodeLimits;
 use crate::code::{Code, Input, Reg, Slot};
 use regs::Virtual;
 
-/// Workgroups of fewer lanes are merged.
+/// Workgroups of fewer lanes are merged; larger ones only where they go together.
 const MERGED_LANES: u32 = 256;
 
 /// Masks that a gang can keep.
@@ -100,7 +100,8 @@ fn lower_here(program: &Program, entry: &str, overrides: &[(String, f64)], optio
     prune::dead(&mut tree);
     let workgroup_size = module.entry_points[index].workgroup_size;
     let lanes: u32 = workgroup_size.iter().product();
-    let mergeable = !tree.has_barrier && tree.workgroup_words == 0 && lanes < MERGED_LANES;
+    let mergeable =
+        !tree.has_barrier && tree.workgroup_words == 0 && (lanes < MERGED_LANES || flow::workgroups_go_together(&tree));
     let flow = counter::split(&mut tree, mergeable);
     let mut linear = emit::emit(&tree, &flow);
     let limit = |what: String, limit: u64, remedy: &str| {

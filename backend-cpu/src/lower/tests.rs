@@ -4,11 +4,13 @@
 //! An expression is evaluated twice: as it is written, by the scalar semantics, and as the builder makes it. A rule is named
 //! together with an operation that it must leave out, so that a rule that never applies is a failure too.
 
-use super::Options;
+use sightlines_backend::{Linked, Program};
+
 use super::build::Builder;
 use super::tree::{Builtin, Op, Tree, Val};
+use super::{Options, lower};
 use crate::CodeLimits;
-use crate::code::{BinOp, TernOp, UnOp};
+use crate::code::{BinOp, Code, Inst, TernOp, UnOp};
 use crate::semantics::{binary, ternary, unary};
 
 use BinOp::{Add, And, DivU, Eq, LeI, LeU, LtI, LtU, MinU, Mul, MulHigh, MulHighI, Ne, Or, RemU, Shl, ShrU, Sub, Xor};
@@ -312,4 +314,39 @@ fn expressions_without_pattern_keep_their_value() {
             }
         });
     }
+}
+
+/// The code of a kernel of 256 lanes, `body` its statements.
+fn code(body: &str) -> Code {
+    let text = format!(
+        "@group(0) @binding(0) var<storage, read_write> words: array<u32>;
+@compute @workgroup_size(256)
+fn main(@builtin(workgroup_id) group: vec3u, @builtin(global_invocation_id) id: vec3u) {{ {body} }}"
+    );
+    let linked = Linked::single("body.wgsl", &text).expect("it is text");
+    let program = Program::unlinted("body", linked).expect("it is valid");
+    lower(&program, "main", &[], Options { count: false, limits: CodeLimits::default() }).expect("it can be lowered")
+}
+
+#[test]
+fn choices_by_one_word_are_switches() {
+    let code = code(
+        "let x = words[id.x];
+        var y = x + 9u;
+        y = select(y, x * 3u, x == 5u);
+        y = select(y, 4u, x == 6u);
+        y = select(y, x + 2u, x == 7u);
+        words[id.x] = select(y, 1u, x < 3u);",
+    );
+    let count = |f: fn(&Inst) -> bool| code.insts.iter().filter(|inst| f(inst)).count();
+    assert_eq!(count(|inst| matches!(inst, Inst::Switch { .. })), 1, "{code}");
+    assert_eq!(count(|inst| matches!(inst, Inst::Choose { .. })), 2, "{code}");
+}
+
+#[test]
+fn workgroups_share_a_gang_where_they_go_together() {
+    assert!(code("words[id.x] = group.x * 3u;").mergeable);
+    assert!(code("for (var i = id.x; i < 256u * group.x; i += 9u) { words[id.x] += i; }").mergeable);
+    assert!(!code("for (var i = 0u; i < group.x; i++) { words[id.x] += i; }").mergeable, "lanes would part");
+    assert!(!code("words[id.x] = words[group.x];").mergeable, "one load would become as many as there are lanes");
 }
