@@ -23,7 +23,10 @@ fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            let _ = writeln!(io::stderr(), "error: {}", failure.to_string().trim_end());
+            // Errors of kernels are rendered whole, this word included.
+            let message = failure.to_string();
+            let message = message.trim_end().trim_start_matches("error: ");
+            let _ = writeln!(io::stderr(), "error: {message}");
             ExitCode::from(failure.exit_code())
         }
     }

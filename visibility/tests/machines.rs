@@ -37,7 +37,7 @@ enum Work {
     Compare { resolution: u32, samples: u32 },
 }
 
-const SUBJECTS: [Subject; 10] = [
+const SUBJECTS: [Subject; 11] = [
     Subject { name: "compare", work: Work::Compare { resolution: 24, samples: 64 } },
     Subject { name: "palms", work: Work::Shadows { resolution: 32, samples: 1024 } },
     Subject { name: "box", work: Work::Shadows { resolution: 64, samples: 32 } },
@@ -93,6 +93,14 @@ const SUBJECTS: [Subject; 10] = [
             names: &["a.0.png", "a.1.png"],
         },
     },
+    // The second frame has the matrix of the first.
+    Subject {
+        name: "spinning.gltf",
+        work: Work::Ambient {
+            options: &["--level", "2", "--environment", "sky", "--frames", "2", "--size", "96x64"],
+            names: &["a.0.png", "a.1.png"],
+        },
+    },
     Subject {
         name: "cloth",
         work: Work::Ambient {
@@ -101,6 +109,25 @@ const SUBJECTS: [Subject; 10] = [
         },
     },
 ];
+
+/// Two instances of a triangle that turn together about an upright axis.
+const SPINNING: &str = r#"{
+    "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [2]}],
+    "nodes": [{"mesh": 0}, {"mesh": 0, "translation": [0.1, 0.6, -0.3]}, {"children": [0, 1]}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "animations": [{"channels": [{"sampler": 0, "target": {"node": 2, "path": "rotation"}}],
+                    "samplers": [{"input": 1, "output": 2}]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                   "min": [-0.5, -0.3, -0.4], "max": [0.7, 0.6, 0.5]},
+                  {"bufferView": 1, "componentType": 5126, "count": 2, "type": "SCALAR", "min": [0], "max": [1]},
+                  {"bufferView": 2, "componentType": 5126, "count": 2, "type": "VEC4"}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 8},
+                    {"buffer": 0, "byteOffset": 44, "byteLength": 32}],
+    "buffers": [{"uri": "model.bin", "byteLength": 76}]
+}"#;
+
+/// Its keys: times, and no turn and half of one.
+const KEYS: [f32; 10] = [0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0];
 
 /// Tubes of two colours over a box that moves.
 const NEON: &str = r#"
@@ -152,7 +179,7 @@ impl Subject {
         match self.work {
             Work::Shadows { resolution, samples } => self.shadows(folder, resolution, samples),
             Work::Exposure { options } => self.exposure(folder, options),
-            Work::Ambient { options, names } => Ok(self.ambient(options, names)),
+            Work::Ambient { options, names } => self.ambient(folder, options, names),
             Work::Compare { resolution, samples } => {
                 let size = format!("--resolution {resolution} --samples {samples} --light-size 0.5,2");
                 let line = format!("compare --scene quads {size} -o a.png");
@@ -161,16 +188,25 @@ impl Subject {
         }
     }
 
-    fn ambient(self, options: &[&'static str], names: &[&'static str]) -> Vec<String> {
-        let source = if self.name == "cloth" { "--motion" } else { "--scene" };
+    fn ambient(self, folder: &Path, options: &[&'static str], names: &[&'static str]) -> Result<Vec<String>, Failed> {
+        let source = match self.name {
+            "cloth" => vec!["--motion", self.name],
+            "spinning.gltf" => {
+                std::fs::write(folder.join(self.name), SPINNING)?;
+                let data = [&VERTICES.map(f32::to_le_bytes)[..], &KEYS.map(f32::to_le_bytes)].concat();
+                std::fs::write(folder.join("model.bin"), data.concat())?;
+                vec![self.name]
+            }
+            _ => vec!["--scene", self.name],
+        };
         let output = |name: &&'static str| match name.rsplit('.').next() {
             Some("glb" | "ply") => vec!["-o", name],
             Some("occl") => vec!["--matrix", name],
             _ => vec![],
         };
         let outputs: Vec<&str> = names.iter().flat_map(output).collect();
-        let all = [&["ambient", source, self.name, "--picture", "a.png"], options, &outputs].concat();
-        all.into_iter().map(str::to_owned).collect()
+        let all = [&["ambient", "--picture", "a.png"], &source[..], options, &outputs].concat();
+        Ok(all.into_iter().map(str::to_owned).collect())
     }
 
     fn exposure(self, folder: &Path, options: &[&'static str]) -> Result<Vec<String>, Failed> {

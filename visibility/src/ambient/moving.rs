@@ -2,9 +2,10 @@
 //! where all of it moves as a whole.
 //!
 //! "Ambient occlusion by occlusion queries", sections 4.2 and 6. A budget is a number of visits of a position or a
-//! triangle by a direction, which every machine counts alike. No frame spends more, but for the coarsest level of a new
-//! matrix; frames that keep their matrix refine it with theirs. Invariant: a frame's bits are those of the matrix of the
-//! scene in the frame that it was made for, of the finest level that is complete.
+//! triangle by a direction, which every machine counts alike. A new matrix spends no more of it than one frame has, or
+//! the coarsest level; frames that keep their matrix refine it with theirs and with what was left before. Invariant: a
+//! frame's bits are those of the matrix of the scene in the frame that it was made for, of the finest level that is
+//! complete.
 
 use sightlines_backend::Backend;
 
