@@ -31,6 +31,7 @@ pub(super) fn all() -> Vec<Case> {
     ];
     cases.extend([0, 1, 40, 32_768].map(|bias| small(&format!("bias_{bias}"), || (layers(), level(2)), bias)));
     cases.push(checked("crowd_in_a_bin", Size::Real, || (crowd(), level(0)), 0));
+    cases.push(checked("crowd_over_rows", Size::Real, || (tall_crowd(), level(0)), 0));
     cases.push(real("bumpy_35346", || bumpy(94), level(2), 1));
     cases
 }
@@ -176,6 +177,14 @@ fn crowd() -> Mesh {
     vertices.push([60, 20, far]);
     vertices.extend((0..64_000).map(|i| [i % 40, i / 40 % 40, i / 1600]));
     Mesh { vertices, triangles: vec![[0, 1, 2], [3, 4, 5]] }
+}
+
+/// The same over several rows of bins, so that a later launch begins within rows.
+fn tall_crowd() -> Mesh {
+    let mut mesh = crowd();
+    mesh.vertices.truncate(6);
+    mesh.vertices.extend((0..30_000).map(|i| [4 * (i % 25), 4 * (i / 25 % 300), i / 7500]));
+    mesh
 }
 
 /// Every triangle with corners of its own, many at equal positions.

@@ -34,6 +34,8 @@ host! {
         pub y_scale: u32,
         /// More than the sides of a bin.
         pub reach: u32,
+        /// Twice the error of a difference of two X or Y that were rounded to f32.
+        pub blur: u32,
         /// Place of the first bit.
         pub bit: u32,
     }
@@ -59,6 +61,9 @@ impl Frame {
         };
         let (x_scale, y_scale) = (scale(column_bits, x, x_last), scale(row_bits, y, y_last));
         let reach = (u32::MAX / x_scale.min(y_scale)).saturating_add(2).min(1 << 30);
+        // X and Y below 2^24 are exact in f32, others below 2^28 and so off by less than 2^5.
+        let is_exact = [x, x_last, y, y_last].iter().all(|c| c.abs() <= 1 << 24);
+        let blur = if is_exact { 0 } else { 1 << 7 };
         let bit = 2 * pair % 32;
         Frame {
             axis: a as u32,
@@ -71,6 +76,7 @@ impl Frame {
             x_scale,
             y_scale,
             reach,
+            blur,
             bit,
         }
     }

@@ -3,12 +3,11 @@
 //! "Ambient occlusion by occlusion queries", sections 3.1 to 3.3, with an irregular z-buffer instead of a depth map: the
 //! result is exact, and `oracle.rs` defines it. `kernel.wgsl` states the output exactly. A batch of up to 16 pairs of
 //! directions makes one word of every vertex: count vertices a bin, scan, place them, and let each triangle test those
-//! under it. Invariant: bits are set by OR, so neither the order of vertices in their bins nor that of triangles can show.
+//! under it. Vertices are told apart from hits by f32, hits are decided by integers. Invariant: bits are set by OR, so neither the order of vertices in their bins nor that of triangles can show.
 
 use std::ops::Range;
 use std::sync::Arc;
 
-use glam::IVec4;
 use sightlines_backend::host::{Bindings, Buffer};
 use sightlines_backend::{Command, Error, Groups, Job, Kernel, Program, ProgramId, Result, bindings, host};
 
@@ -43,9 +42,8 @@ const VERTICES: u32 = 256;
 /// Parts of triangles of a workgroup of `occlude`.
 const PARTS: u32 = 256;
 
-/// Most vertices that one launch tests with a part: with two turns for each of its rows, an invocation's loops stay below
-/// 65,535 turns.
-const MOST: u32 = 60_000;
+/// Most vertices that one launch tests with a part.
+const MOST: u32 = 8192;
 
 /// Most pairs of directions at a time: they fill a word.
 const BATCH: u32 = 16;
@@ -79,12 +77,8 @@ host! {
         pub row: u32,
         /// Rows of bins of a part.
         pub rows: u32,
-        /// Vertices under each part that earlier launches have met.
-        pub skip: u32,
-        /// Most vertices under a part that this launch meets.
-        pub most: u32,
-        /// Workgroups of the launch.
-        pub launch: u32,
+        /// Words of a plane of `placed`.
+        pub plane: u32,
     }
 }
 
@@ -103,7 +97,7 @@ bindings! {
         read frames @ 1: [Frame],
         read vertices @ 2: [i32],
         write cursors @ 4: [u32],
-        write placed @ 5: [IVec4],
+        write placed @ 5: [u32],
     }
 
     /// What `occlude` is given.
@@ -113,7 +107,7 @@ bindings! {
         read vertices @ 2: [i32],
         read corners @ 6: [i32],
         read starts @ 7: [u32],
-        read points @ 8: [IVec4],
+        read points @ 8: [u32],
         write occluded @ 9: [u32],
         read numbers @ 10: [u32],
         write more @ 11: [u32],
@@ -126,7 +120,7 @@ bindings! {
         read vertices @ 2: [i32],
         read corners @ 6: [i32],
         read starts @ 7: [u32],
-        read points @ 8: [IVec4],
+        read points @ 8: [u32],
         write occluded @ 9: [u32],
         read numbers @ 10: [u32],
     }
@@ -164,24 +158,15 @@ impl Plan {
         Plan { vertices, parts, rows, column_bits, bin_bits, batch: 1 << most.ilog2(), bias, work }
     }
 
-    fn params(&self, pair: u32, groups: u32, piece: &Range<u32>, skip: u32) -> Params {
+    /// Words of a plane of placed vertices.
+    fn plane(&self) -> u32 {
+        self.batch * self.vertices.max(1)
+    }
+
+    fn params(&self, pair: u32, groups: u32, piece: &Range<u32>) -> Params {
         let Plan { vertices, parts, rows, column_bits, bin_bits, bias, .. } = *self;
-        let (first, launch, row) = (piece.start, piece.len() as u32, pair / BATCH * vertices);
-        Params {
-            vertices,
-            parts,
-            column_bits,
-            bin_bits,
-            pair,
-            groups,
-            first,
-            bias,
-            row,
-            rows,
-            skip,
-            most: MOST,
-            launch,
-        }
+        let (first, row, plane) = (piece.start, pair / BATCH * vertices, self.plane());
+        Params { vertices, parts, column_bits, bin_bits, pair, groups, first, bias, row, rows, plane }
     }
 }
 
@@ -231,7 +216,7 @@ impl VertexVisibility {
             frames: job.slice("frames", &frames),
             // The scan takes multiples of four words.
             bins: [(); 2].map(|()| job.zeroed("bins", (u64::from(plan.batch) << plan.bin_bits) + 4)),
-            points: job.zeroed("binned vertices", u64::from(plan.batch) * u64::from(plan.vertices.max(1))),
+            points: job.zeroed("binned vertices", 4 * u64::from(plan.plane())),
             occluded,
         };
         for pair in (0..pairs).step_by(plan.batch as usize) {
@@ -248,12 +233,12 @@ impl VertexVisibility {
         job.record(Command::Clear { buffer: counts.id(), offset: 0, size: counts.len() * 4 });
         let groups = plan.vertices.div_ceil(VERTICES).max(1);
         pieces::record(job, batch * groups, u64::from(8 * VERTICES), |job, piece| {
-            let params = job.value("count params", &plan.params(pair, groups, &piece, 0));
+            let params = job.value("count params", &plan.params(pair, groups, &piece));
             job.launch(program, "count", &Count { params, frames, vertices, counts }, [piece.len() as u32, 1, 1]);
         });
         self.scan.record(job, Kind::Exclusive, (batch << plan.bin_bits) + 1, counts, starts)?;
         pieces::record(job, batch * groups, u64::from(16 * VERTICES), |job, piece| {
-            let params = job.value("place params", &plan.params(pair, groups, &piece, 0));
+            let params = job.value("place params", &plan.params(pair, groups, &piece));
             let bound = Place { params, frames, vertices, cursors: starts, placed: points };
             job.launch(program, "place", &bound, [piece.len() as u32, 1, 1]);
         });
@@ -270,11 +255,11 @@ struct Work {
     frames: Buffer<[Frame]>,
     /// Counts of vertices, and where bins start.
     bins: [Buffer<[u32]>; 2],
-    points: Buffer<[IVec4]>,
+    points: Buffer<[u32]>,
     occluded: Buffer<[u32]>,
 }
 
-/// A launch of `occlude`, and those that take what it leaves: as many as there could be, but none runs without need.
+/// A launch of `occlude`, and one that takes what it leaves: without a workgroup where that is nothing.
 fn record_occlude(
     job: &mut Job,
     program: ProgramId,
@@ -285,13 +270,14 @@ fn record_occlude(
 ) {
     let Resident { vertices, corners, numbers, .. } = *mesh;
     let Work { frames, bins: [_, starts], points, occluded } = *work;
-    let more = job.slice("groups of the rest", &[0_u32, 1, 1]);
-    let params = job.value("occlude params", &plan.params(pair, groups, &piece, 0));
+    let launch = piece.len() as u32;
+    let more = job.slice("groups of the rest", &[launch, 0, 1]);
+    let params = job.value("occlude params", &plan.params(pair, groups, &piece));
     let bound = Occlude { params, frames, vertices, corners, starts, points, occluded, numbers, more };
-    job.launch(program, "occlude", &bound, [piece.len() as u32, 1, 1]);
-    for skip in (MOST..plan.vertices).step_by(MOST as usize) {
-        let params = job.value("rest params", &plan.params(pair, groups, &piece, skip));
-        let bound = OccludeRest { params, frames, vertices, corners, starts, points, occluded, numbers };
-        job.launch_with(program, "occlude_rest", &bound, &[], Groups::Indirect { buffer: more.id(), offset: 0 });
+    job.launch(program, "occlude", &bound, [launch, 1, 1]);
+    if plan.vertices <= MOST {
+        return;
     }
+    let bound = OccludeRest { params, frames, vertices, corners, starts, points, occluded, numbers };
+    job.launch_with(program, "occlude_rest", &bound, &[], Groups::Indirect { buffer: more.id(), offset: 0 });
 }

@@ -53,10 +53,9 @@ impl Resident {
             |k: usize| -> Vec<Point> { parts.iter().map(|p| mesh.vertices[triangle(p)[k] as usize]).collect() };
         let corners: Vec<i32> = (0..3).flat_map(|k| axes(&corner(k))).collect();
         let corner_places = |part: &(u32, u32)| triangle(part).map(|corner| places[corner as usize]);
-        let asked = |part: &(u32, u32)| corner_places(part).iter().filter(|place| **place != u32::MAX).count() as u32;
         let numbers: Vec<u32> = (0..3)
             .flat_map(|k| parts.iter().map(move |part| corner_places(part)[k]))
-            .chain(parts.iter().map(|part| if part.1 == 0 { asked(part) } else { 3 + part.1 }))
+            .chain(parts.iter().map(|part| part.1))
             .collect();
         Ok(Resident {
             vertices: job.slice("vertices", &or_zero(axes(&points))),
@@ -102,7 +101,7 @@ fn or_zero<T: Default>(words: Vec<T>) -> Vec<T> {
     if words.is_empty() { vec![T::default()] } else { words }
 }
 
-/// Rows of a part, and the parts: triangle and number, 0 for a triangle in one part, else from 1 on.
+/// Rows of a part, and the parts: triangle, and number within it.
 fn parts(mesh: &Mesh, all_rows: u32) -> (u32, Vec<(u32, u32)>) {
     let box_of_all = mesh.bounds();
     let bounds: Vec<u32> = mesh.triangles.iter().map(|t| most_rows(mesh, box_of_all, t, all_rows)).collect();
@@ -111,10 +110,8 @@ fn parts(mesh: &Mesh, all_rows: u32) -> (u32, Vec<(u32, u32)>) {
     while bounds.iter().map(|bound| bound.div_ceil(rows) as usize).sum::<usize>() > most {
         rows *= 2;
     }
-    let parts = (0..).zip(&bounds).flat_map(|(triangle, &bound)| {
-        let count = bound.div_ceil(rows);
-        (0..count).map(move |part| (triangle, if count == 1 { 0 } else { part + 1 }))
-    });
+    let parts =
+        (0..).zip(&bounds).flat_map(|(triangle, &bound)| (0..bound.div_ceil(rows)).map(move |part| (triangle, part)));
     (rows, parts.collect())
 }
 
