@@ -3,7 +3,8 @@
 //! "Ambient occlusion by occlusion queries", sections 3.1 to 3.3, with an irregular z-buffer instead of a depth map: the
 //! result is exact, and `oracle.rs` defines it. `kernel.wgsl` states the output exactly. A batch of up to 16 pairs of
 //! directions makes one word of every vertex: count vertices a bin, scan, place them, and let each triangle test those
-//! under it. Vertices are told apart from hits by f32, hits are decided by integers. Invariant: bits are set by OR, so neither the order of vertices in their bins nor that of triangles can show.
+//! under it: f32 leaves out what is beside the triangle, integers decide the rest. Invariant: bits are set by OR, so neither
+//! the order of vertices in their bins nor that of triangles can show.
 
 use std::ops::Range;
 use std::sync::Arc;
