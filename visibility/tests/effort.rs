@@ -1,9 +1,14 @@
 //! What a bake is spared or given changes no bit of it: culling, and memory for lists.
 
 use sightlines_backend_cpu::{Bounds, Config, CpuBackend};
-use sightlines_visibility::scene::bumpy_sphere;
+use sightlines_visibility::scene::{Mesh, Scene, bumpy_sphere};
 use sightlines_visibility::setup::{Settings, Setup};
-use sightlines_visibility::shadows::{Bake, Effort, Request, bake_with};
+use sightlines_visibility::shadows::expose::{Exposed, Exposure, Sampling, expose};
+use sightlines_visibility::shadows::light::Light;
+use sightlines_visibility::shadows::lightmap::Atlas;
+use sightlines_visibility::shadows::placement::Placement;
+use sightlines_visibility::shadows::surface::{HeightMap, Surface};
+use sightlines_visibility::shadows::{Bake, Effort, Rect, Request, bake_with};
 
 fn machine() -> CpuBackend {
     CpuBackend::new(Config { bounds: Bounds::Trap, ..Config::default() })
@@ -66,4 +71,87 @@ fn little_memory_takes_more_turns_and_changes_no_bit() {
     let many = baked(&request, Effort { memory: 4096, ..Effort::default() });
     assert!(many.work.lane_ops > one.work.lane_ops, "the batches were one");
     assert_eq!((many.sets, many.visible, many.work.pairs), (one.sets, one.visible, one.work.pairs));
+}
+
+const FLOOR: Rect = Rect { corner: [-2.0, 0.0, 2.0], u: [4.0, 0.0, 0.0], v: [0.0, 0.0, -4.0] };
+
+/// A floor with a lightmap.
+fn lightmap() -> Surface {
+    let vertices = vec![[-2.0, 0.0, 2.0], [2.0, 0.0, 2.0], [2.0, 0.0, -2.0], [-2.0, 0.0, -2.0]];
+    let uvs = vec![[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]], [[0.0, 0.0], [1.0, 1.0], [0.0, 1.0]]];
+    let floor =
+        Mesh { name: "floor".to_owned(), vertices, triangles: vec![[0, 1, 2], [0, 2, 3]], uvs, ..Mesh::default() };
+    Surface::Lightmap(Atlas::new(&Scene { name: "floor".to_owned(), units: "metres", parts: vec![floor] }).unwrap())
+}
+
+/// A bumpy sphere and a box over receivers that row spans cannot take.
+fn exposure(surface: Surface, effort: Effort) -> Exposure {
+    let sphere = bumpy_sphere(150).triangles();
+    let sphere = sphere.into_iter().map(|t| t.map(|[x, y, z]| [x * 0.5 + 0.4, y * 0.5 + 0.6, z * 0.5 - 0.2]));
+    Exposure {
+        triangles: sphere.chain(cube([-1.1, 1.0, -0.4], [-0.6, 1.3, 0.5])).collect(),
+        light: Light::from(Rect { corner: [-0.6, 3.0, -0.5], u: [1.2, 0.0, 0.0], v: [0.0, 0.0, 1.0] }),
+        surface,
+        resolution: 24,
+        sampling: Sampling { placement: Placement::Halton, ..Sampling::new(50) },
+        light_sums: true,
+        motion: None,
+        effort,
+    }
+}
+
+fn exposed(exposure: &Exposure) -> Exposed {
+    expose(&machine(), exposure, &mut |_| ()).unwrap()
+}
+
+#[test]
+fn slopes_walls_height_fields_and_lightmaps_are_culled_and_taken_in_turns_alike() {
+    let slope = Rect { corner: [-2.0, -0.6, 2.0], v: [0.0, 0.5, -4.0], ..FLOOR };
+    let wall = Rect { corner: [-1.8, 0.1, -0.9], u: [3.6, 0.0, 0.0], v: [0.0, 2.4, 0.0] };
+    let heights = Surface::Heights(Rect { corner: [-2.0, -0.7, 2.0], ..FLOOR }, HeightMap::bumps(0.6));
+    for (name, surface) in [
+        ("slope", Surface::Plane(slope)),
+        ("wall", Surface::Plane(wall)),
+        ("heights", heights),
+        ("lightmap", lightmap()),
+    ] {
+        let whole = exposed(&exposure(surface.clone(), Effort { cull: false, ..Effort::default() }));
+        let auto = exposed(&exposure(surface.clone(), Effort::default()));
+        let turns = exposed(&exposure(surface, Effort { memory: 256, ..Effort::default() }));
+        let seen = |exposed: &Exposed| exposed.visible.iter().filter(|seen| (1..50).contains(*seen)).count();
+        assert!(seen(&whole) > 15, "{name}: {} texels are partly lit", seen(&whole));
+        assert_eq!((auto.work.closed, whole.work.closed), (168 + 12, 0), "{name}");
+        assert!((30..140).contains(&auto.work.culled), "{name}: {} culled", auto.work.culled);
+        assert!(auto.work.pairs * 10 < whole.work.pairs * 9, "{name}: {} of {}", auto.work.pairs, whole.work.pairs);
+        assert!(turns.work.lane_ops > auto.work.lane_ops, "{name}: the turns were one");
+        for other in [auto, turns] {
+            assert_eq!(
+                (&other.sets, &other.visible, &other.light),
+                (&whole.sets, &whole.visible, &whole.light),
+                "{name}"
+            );
+        }
+    }
+}
+
+/// Each receiver has the light elsewhere, so faces must face all of the places where it is; and a surface around a receiver
+/// hides by its fronts alone.
+#[test]
+fn shifted_patterns_and_receivers_inside_are_minded() {
+    let decorrelated = |effort| {
+        let exposure = exposure(Surface::Plane(Rect { v: [0.0, -0.2, -4.0], ..FLOOR }), effort);
+        Exposure { sampling: Sampling { decorrelated: true, ..exposure.sampling }, ..exposure }
+    };
+    let inside = |effort| {
+        // A wall of receivers within the box and beside it.
+        let rect = Rect { corner: [-1.5, 1.1, -0.1], u: [2.0, 0.0, 0.0], v: [0.0, 0.1, 0.0] };
+        exposure(Surface::Plane(rect), effort)
+    };
+    for (name, make, closed) in
+        [("decorrelated", &decorrelated as &dyn Fn(Effort) -> Exposure, 180), ("inside", &inside, 0)]
+    {
+        let whole = exposed(&make(Effort { cull: false, ..Effort::default() }));
+        let auto = exposed(&make(Effort::default()));
+        assert_eq!((auto.work.closed, auto.sets == whole.sets), (closed, true), "{name}");
+    }
 }

@@ -24,9 +24,8 @@ const BAND_WORDS: u64 = 1 << 24;
 /// Receiver rows that share a list of triangles, at least.
 const TILE_ROWS: u32 = 8;
 
-/// Most triangles at a time, 72 MiB of vertices, and most entries of their lists, 128 MiB: both are within a binding.
+/// Most triangles at a time: 72 MiB of vertices are within a binding.
 const MOST_TRIANGLES: usize = 1 << 21;
-const MOST_ENTRIES: u64 = 1 << 25;
 
 /// What the kernels give for all receivers, in ascending x and y.
 pub(crate) struct Composed {
@@ -40,11 +39,11 @@ pub(crate) struct Composed {
 
 /// Runs the kernels, band after band.
 ///
-/// Triangles are taken in batches whose lists take at most `memory` bytes.
+/// Triangles are taken in batches whose lists have at most `entries` entries.
 pub(super) fn bake(
     backend: &dyn Backend,
     scene: &Snapped,
-    memory: u64,
+    entries: u64,
     progress: &mut dyn FnMut(f32),
 ) -> Result<Composed> {
     let words = scene.samples.words();
@@ -66,7 +65,7 @@ pub(super) fn bake(
     };
     for (index, band) in bands.iter().enumerate() {
         let mut part = |share: f32| progress((index as f32 + share) / bands.len() as f32);
-        let Composed { masks, visible, work } = bake_band(backend, scene, band, memory, &mut part)?;
+        let Composed { masks, visible, work } = bake_band(backend, scene, band, entries, &mut part)?;
         let count = band.count() as usize;
         all.masks.extend(
             (0..count).flat_map(|r| (0..words as usize).map(move |w| (w, r))).map(|(w, r)| masks[w * count + r]),
@@ -83,13 +82,12 @@ fn bake_band(
     backend: &dyn Backend,
     scene: &Snapped,
     band: &Receivers,
-    memory: u64,
+    entries: u64,
     progress: &mut dyn FnMut(f32),
 ) -> Result<Composed> {
     let mut work = Work::default();
     let regions = regions(backend, scene, band, &mut work)?;
     let size = [WIDTH, tile_rows(&regions)];
-    let entries = (memory / 4).clamp(1, MOST_ENTRIES);
     let batches = tiles::batches(size, &regions, entries, MOST_TRIANGLES);
     let mut masks = None;
     for (index, batch) in batches.iter().enumerate() {

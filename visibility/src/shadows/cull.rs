@@ -2,10 +2,12 @@
 //!
 //! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 7: of a watertight caster those triangles can
 //! go that face the light from all of its corners; the back faces that stay leave the smaller influence regions. Invariant:
-//! the sets are the same, bit for bit (docs/numerics.md has the proof). It rests on one property, which is tested and never
-//! assumed: in a connected surface, welded by the points of the grid, every edge runs as often one way as the other.
+//! the sets are the same, bit for bit (docs/numerics.md has the proof). It rests on two properties, which are tested and
+//! never assumed: in a connected surface, welded by the points of the grid, every edge runs as often one way as the other; and
+//! it stands in front of the light, in a box that holds no receiver.
 
-use sightlines_kernels::grid::{Point, Samples, Triangle, XY};
+use sightlines_kernels::field::{Field, Receiver};
+use sightlines_kernels::grid::{Point, Triangle, XY};
 
 /// What is left of a scene.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -18,11 +20,18 @@ pub struct Culled {
     pub dropped: u64,
 }
 
-/// Leaves out the triangles of closed surfaces that face all of the light. All of them stand strictly between the planes.
-pub fn cull(samples: &Samples, triangles: &[Triangle]) -> Culled {
+/// Least and greatest coordinates.
+pub type Box3 = [Point; 2];
+
+/// Leaves out the triangles of closed surfaces that face all of a light whose samples lie between `corners`. `is_clear` says
+/// that no receiver is in a box.
+pub fn cull(corners: &[Point; 4], is_clear: &dyn Fn(&Box3) -> bool, triangles: &[Triangle]) -> Culled {
     let mut surfaces = Surfaces::new(triangles);
-    let turns = surfaces.turns(triangles);
-    let corners = samples.corners();
+    let mut turns = surfaces.turns(triangles);
+    let boxes = surfaces.boxes(triangles);
+    for (turn, extent) in turns.iter_mut().zip(&boxes) {
+        turn.take_if(|_| extent.is_some_and(|extent| extent[0][2] <= 0 || !is_clear(&extent)));
+    }
     let mut culled = Culled::default();
     for (number, triangle) in triangles.iter().enumerate() {
         let turn = turns[surfaces.of(number)];
@@ -83,6 +92,16 @@ impl Surfaces {
         self.root(self.corners[triangle][0]) as usize
     }
 
+    /// The box of the surface at each root.
+    fn boxes(&mut self, triangles: &[Triangle]) -> Vec<Option<Box3>> {
+        let mut boxes = vec![None; self.parents.len()];
+        for (number, triangle) in triangles.iter().enumerate() {
+            let root = self.of(number);
+            boxes[root] = triangle.iter().fold(boxes[root], |extent, point| grown(extent, *point));
+        }
+        boxes
+    }
+
     /// For the root of each surface, which sign of [`side`] says that a face looks outwards; none where it is not closed.
     fn turns(&mut self, triangles: &[Triangle]) -> Vec<Option<i64>> {
         let mut edges = Numbers::with_room(2 * self.corners.len());
@@ -105,6 +124,56 @@ impl Surfaces {
         }
         turns
     }
+}
+
+/// The receivers of a field by squares of them.
+pub struct Crowd<'a> {
+    field: &'a Field,
+    /// The box of each square that has a receiver, and its first column and row.
+    squares: Vec<(Box3, [u32; 2])>,
+}
+
+/// Receivers along a side of a square.
+const SQUARE: u32 = 16;
+
+impl<'a> Crowd<'a> {
+    /// Of all receivers of a field.
+    pub fn new(field: &'a Field) -> Self {
+        let mut crowd = Crowd { field, squares: Vec::new() };
+        let corners = (0..field.rows())
+            .step_by(SQUARE as usize)
+            .flat_map(|row| (0..field.columns()).step_by(SQUARE as usize).map(move |column| [column, row]));
+        let boxed = |corner| Some((crowd.square(corner).fold(None, grown)?, corner));
+        crowd.squares = corners.filter_map(boxed).collect();
+        crowd
+    }
+
+    /// The receivers of a square.
+    fn square(&self, [column, row]: [u32; 2]) -> impl Iterator<Item = Point> {
+        let [columns, rows] = [self.field.columns(), self.field.rows()];
+        let rows = row..(row + SQUARE).min(rows);
+        let all = rows.flat_map(move |row| {
+            let first = row * columns;
+            first + column..first + (column + SQUARE).min(columns)
+        });
+        let receivers = self.field.receivers();
+        all.map(|at| receivers[at as usize]).filter(Receiver::is_there).map(|receiver| receiver.at)
+    }
+
+    /// Whether none of them is in a box.
+    pub fn is_clear(&self, extent: &Box3) -> bool {
+        let near = |square: &&(Box3, [u32; 2])| {
+            (0..3).all(|i| square.0[0][i] <= extent[1][i] && square.0[1][i] >= extent[0][i])
+        };
+        let holds = |at: Point| (0..3).all(|i| (extent[0][i]..=extent[1][i]).contains(&at[i]));
+        !self.squares.iter().filter(near).any(|(_, corner)| self.square(*corner).any(holds))
+    }
+}
+
+/// A box with one more point in it.
+fn grown(extent: Option<Box3>, point: Point) -> Option<Box3> {
+    let [low, high] = extent.unwrap_or([point; 2]);
+    Some([std::array::from_fn(|i| low[i].min(point[i])), std::array::from_fn(|i| high[i].max(point[i]))])
 }
 
 /// A point of the grid as one word.
@@ -162,6 +231,8 @@ impl Numbers {
 
 #[cfg(test)]
 mod tests {
+    use sightlines_kernels::grid::Samples;
+
     use super::*;
 
     const LIGHT: Samples = Samples { origin: [-40, -40], step: [10, 10], columns: 8, rows: 8 };
@@ -173,7 +244,7 @@ mod tests {
     }
 
     fn counts(triangles: &[Triangle]) -> (usize, u64, u64) {
-        let Culled { kept, closed, dropped } = cull(&LIGHT, triangles);
+        let Culled { kept, closed, dropped } = cull(&LIGHT.corners(), &|_| true, triangles);
         (kept.len(), closed, dropped)
     }
 
@@ -181,7 +252,7 @@ mod tests {
     fn faces_towards_all_of_the_light_go_and_the_base_stays() {
         let faces = tetrahedron(0);
         let base: Vec<Triangle> = faces.iter().filter(|t| t.iter().all(|v| v[2] == 900)).copied().collect();
-        assert_eq!(cull(&LIGHT, &faces), Culled { kept: base, closed: 4, dropped: 3 });
+        assert_eq!(cull(&LIGHT.corners(), &|_| true, &faces), Culled { kept: base, closed: 4, dropped: 3 });
         // Which way the surface is wound does not matter.
         assert_eq!(counts(&faces.map(|[a, b, c]| [a, c, b])), (1, 4, 3));
     }
@@ -204,6 +275,28 @@ mod tests {
         assert_eq!(counts(&doubled), (5, 0, 0));
         // Twice the whole surface is closed: every edge runs twice either way.
         assert_eq!(counts(&[tetrahedron(0), tetrahedron(0)].concat()), (2, 8, 6));
+    }
+
+    #[test]
+    fn a_surface_stays_whole_that_a_receiver_may_stand_in_or_that_reaches_the_light() {
+        let culled = |receivers: &[Point], triangles: &[Triangle]| {
+            let field =
+                Field::new(receivers.len() as u32, receivers.iter().map(|at| Receiver::new(*at)).collect()).unwrap();
+            let crowd = Crowd::new(&field);
+            let Culled { closed, dropped, .. } = cull(&LIGHT.corners(), &|extent| crowd.is_clear(extent), triangles);
+            (closed, dropped)
+        };
+        let both = [tetrahedron(0), tetrahedron(400)].concat();
+        let far = [[0; 3], [0, 0, 901], [91, 0, 900], [0, 81, 900], [500, 0, 799]];
+        assert_eq!(culled(&far, &both), (8, 6));
+        assert_eq!(
+            culled(&[&[[0, 0, 0]; 60][..], &[[0, 0, 870]]].concat(), &both),
+            (4, 3),
+            "one inside, in a later square"
+        );
+        assert_eq!(culled(&[[-90, -80, 800], [490, 80, 900]], &both), (0, 0), "in the corners of the boxes");
+        let low = both.iter().map(|t| t.map(|[x, y, z]| [x, y, z - 800])).collect::<Vec<_>>();
+        assert_eq!(culled(&far, &low), (0, 0));
     }
 
     #[test]

@@ -6,11 +6,12 @@
 
 use sightlines_backend::Backend;
 use sightlines_kernels::field::{Field, Receiver};
-use sightlines_kernels::grid::Triangle;
+use sightlines_kernels::grid::{self, Triangle};
 use sightlines_kernels::irradiance::FRACTION;
 use sightlines_kernels::pattern::Pattern;
 use sightlines_kernels::random;
 
+use super::cull::{Crowd, Culled, cull};
 use super::fit::{Fitted, fit};
 use super::light::{Colour, Light, Palette, WHITE};
 use super::passes::Pass;
@@ -41,7 +42,7 @@ pub struct Exposure {
     pub light_sums: bool,
     /// What moves.
     pub motion: Option<Motion>,
-    /// What a bake by row spans may take.
+    /// What it may take.
     pub effort: Effort,
 }
 
@@ -185,6 +186,32 @@ pub struct Prepared {
     pub cell: f64,
 }
 
+impl Prepared {
+    /// Leaves out what other faces of closed surfaces make redundant, in every frame by itself.
+    fn cull(&mut self) -> Work {
+        let corners = self.corners();
+        let crowd = Crowd::new(&self.field);
+        let mut work = Work::default();
+        for triangles in &mut self.frames {
+            let Culled { kept, closed, dropped } = cull(&corners, &|extent| crowd.is_clear(extent), triangles);
+            *triangles = kept;
+            work += Work { closed, culled: dropped, ..Work::default() };
+        }
+        work
+    }
+
+    /// The corners of a rectangle that holds the samples of all passes, however they are shifted.
+    fn corners(&self) -> [grid::Point; 4] {
+        let receivers = || self.field.receivers().iter().filter(|receiver| receiver.is_there());
+        let fold = |end: usize, axis: usize, pick: fn(i32, i32) -> i32| {
+            let samples = self.passes.iter().map(|pass| pass.bounds()[end][axis]).reduce(pick).unwrap_or(0);
+            samples + receivers().map(|receiver| receiver.shift[axis]).reduce(pick).unwrap_or(0)
+        };
+        let [x, y] = [0, 1].map(|axis| [fold(0, axis, i32::min), fold(1, axis, i32::max)]);
+        [[x[0], y[0], 0], [x[1], y[0], 0], [x[0], y[1], 0], [x[1], y[1], 0]]
+    }
+}
+
 /// Brings scene, light and receivers to the grid.
 ///
 /// # Errors
@@ -237,8 +264,11 @@ pub fn expose(backend: &dyn Backend, exposure: &Exposure, progress: &mut dyn FnM
     if let Some(request) = exposure.plain() {
         return Ok(plain(bake_with(backend, &request, &exposure.effort, progress)?, exposure));
     }
-    let prepared = prepare(exposure)?;
+    let mut prepared = prepare(exposure)?;
     let mut exposed = empty(exposure, &prepared);
+    if exposure.effort.cull {
+        exposed.work += prepared.cull();
+    }
     let runs = prepared.frames.len() * prepared.passes.len();
     for (number, triangles) in prepared.frames.iter().enumerate() {
         let mut first = 0;

@@ -38,6 +38,9 @@ pub const MAX_WORDS: u64 = 1 << 29;
 /// Bytes of the triangles' lists at a time, unless told otherwise.
 pub const MEMORY: u64 = 64 << 20;
 
+/// Most entries of the triangles' lists at a time: 128 MiB, which a binding holds.
+const MOST_ENTRIES: u64 = 1 << 25;
+
 /// A rectangle in space: `corner + s u + t v` for s and t in [0, 1], with u and v at right angles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rect {
@@ -71,6 +74,13 @@ pub struct Effort {
     pub cull: bool,
     /// Bytes of the triangles' lists at a time; more triangles are taken in turns.
     pub memory: u64,
+}
+
+impl Effort {
+    /// Entries of lists at a time.
+    fn entries(&self) -> u64 {
+        (self.memory / 4).clamp(1, MOST_ENTRIES)
+    }
 }
 
 impl Default for Effort {
@@ -182,11 +192,13 @@ pub fn bake_with(
     let mut scene = snap::snap(request)?;
     let mut work = Work::default();
     if effort.cull {
-        let cull::Culled { kept, closed, dropped } = cull::cull(&scene.samples, &scene.between);
+        // Receivers are farther from the light than all that is between.
+        let culled = cull::cull(&scene.samples.corners(), &|_| true, &scene.between);
+        let cull::Culled { kept, closed, dropped } = culled;
         scene.between = kept;
         work += Work { closed, culled: dropped, ..Work::default() };
     }
-    let mut composed = compose::bake(backend, &scene, effort.memory, progress)?;
+    let mut composed = compose::bake(backend, &scene, effort.entries(), progress)?;
     composed.work += work;
     Ok(assemble(request, &scene, composed))
 }

@@ -1,8 +1,10 @@
 //! A pass of an exposure: up to 1024 samples of a light, in one frame, on bands of receivers.
 //!
-//! Bands are as high as their masks and tile lists let them be. Kernels: `line_mask` over lists by shafts, then `irradiance`
+//! Bands are as high as their masks and tile lists let them be; where the lists of the lowest are still too long, triangles are
+//! taken in turns. Kernels: `line_mask` over lists by shafts, then `irradiance`
 //! for counts and light by groups of one colour; what they give is added to the results.
 
+use sightlines_backend::host::Buffer;
 use sightlines_backend::{Backend, Job};
 use sightlines_kernels::field::Field;
 use sightlines_kernels::grid::Triangle;
@@ -19,9 +21,6 @@ use crate::error::Result;
 
 /// Words of the masks of one band.
 const BAND_WORDS: u32 = 1 << 24;
-
-/// Entries of a band's tile lists, 64 MiB.
-const BAND_ENTRIES: usize = 1 << 24;
 
 /// Some of the samples.
 pub(super) struct Pass<'a> {
@@ -50,58 +49,105 @@ impl Pass<'_> {
         let mut row = 0;
         while row < field.rows() {
             let end = (row + height).min(field.rows());
-            let band = field.band(row..end);
-            let tiles = lists::tiles(TILE, &band, self.pattern.bounds(), self.triangles);
-            if tiles.entries.len() > BAND_ENTRIES && height > TILE[1] {
+            let band = Band { first: (row * field.columns()) as usize, field: field.band(row..end) };
+            let tiles = self.lists(&band, self.triangles);
+            if tiles.entries.len() as u64 > exposure.effort.entries() && height > TILE[1] {
                 height = (height / 2).next_multiple_of(TILE[1]);
                 continue;
             }
-            out.work.pairs += lists::pairs(&tiles, &band);
             let mut part = |share: f32| progress((row as f32 + share * (end - row) as f32) / field.rows() as f32);
-            self.band(backend, exposure, Band { row, field: band, tiles }, out, &mut part)?;
+            self.band(backend, exposure, &band, tiles, out, &mut part)?;
             row = end;
         }
         Ok(())
     }
 
+    fn lists(&self, band: &Band, triangles: &[Triangle]) -> Tiles {
+        lists::tiles(TILE, &band.field, self.pattern.bounds(), triangles)
+    }
+
+    /// A band with the lists of all triangles: in turns, halved until their lists are short enough.
     fn band(
         &self,
         backend: &dyn Backend,
         exposure: &Exposure,
-        band: Band,
+        band: &Band,
+        tiles: Tiles,
         out: &mut Exposed,
         progress: &mut dyn FnMut(f32),
     ) -> Result<()> {
-        let Band { row, field, tiles } = &band;
+        let mut masks = None;
+        let mut turns = vec![(self.triangles, Some(tiles))];
+        while let Some((triangles, tiles)) = turns.pop() {
+            let tiles = tiles.unwrap_or_else(|| self.lists(band, triangles));
+            if tiles.entries.len() as u64 > exposure.effort.entries() && triangles.len() > 1 {
+                let (first, last) = triangles.split_at(triangles.len() / 2);
+                turns.extend([(last, None), (first, None)]);
+                continue;
+            }
+            out.work.pairs += lists::pairs(&tiles, &band.field);
+            let (mut job, hidden) = self.turn(band, triangles, &tiles, masks.take())?;
+            let left: usize = turns.iter().map(|(triangles, _)| triangles.len()).sum();
+            let done = |left: usize| 1.0 - left as f32 / self.triangles.len().max(1) as f32;
+            let (from, to) = (done(left + triangles.len()), done(left));
+            let mut part = |share: f32| progress(from + share * (to - from));
+            if turns.is_empty() {
+                self.count(exposure, band, &mut job, hidden)?;
+                let [masks, visible, light] = run(backend, &job, &mut out.work, &mut part)?;
+                self.add(out, band, &masks, &visible, &light);
+            } else {
+                let [words] = run(backend, &job, &mut out.work, &mut part)?;
+                masks = Some(words);
+            }
+        }
+        Ok(())
+    }
+
+    /// A job that adds what some triangles hide to masks, and reads them.
+    fn turn(
+        &self,
+        band: &Band,
+        triangles: &[Triangle],
+        tiles: &Tiles,
+        masks: Option<Vec<u32>>,
+    ) -> Result<(Job, Buffer<[u32]>)> {
         let mut job = Job::new();
-        let hidden = job.zeroed("hidden", u64::from(field.count()) * u64::from(self.pattern.words()));
+        let words = u64::from(band.field.count()) * u64::from(self.pattern.words());
+        let hidden = match masks {
+            Some(masks) => job.slice("hidden", &masks),
+            None => job.zeroed("hidden", words),
+        };
         if !tiles.entries.is_empty() {
-            let vertices = job.slice("vertices", self.triangles.as_flattened().as_flattened());
+            let vertices = job.slice("vertices", triangles.as_flattened().as_flattened());
             let starts = job.slice("tile starts", &tiles.starts);
             let entries = job.slice("tile entries", &tiles.entries);
             let kernel = LineMask::new(self.pattern, Resolution::exact(self.pattern))?;
             let table = kernel.record_table(&mut job);
-            kernel.record(&mut job, field, tiles, table, Scene { vertices, starts, entries, hidden })?;
+            kernel.record(&mut job, &band.field, tiles, table, Scene { vertices, starts, entries, hidden })?;
         }
-        let groups = Groups::new(self.pattern, self.colours)?;
-        let seen = Seen { pattern: self.pattern, groups: &groups, field, masks: hidden };
-        let kernel = Irradiance::new()?;
-        let visible = kernel.record_counts(&mut job, &seen)?;
         job.read("hidden", hidden.id());
+        Ok((job, hidden))
+    }
+
+    /// Records what receivers see of each colour and the light that they get, and reads it.
+    fn count(&self, exposure: &Exposure, band: &Band, job: &mut Job, masks: Buffer<[u32]>) -> Result<()> {
+        let Band { first, field } = band;
+        let groups = Groups::new(self.pattern, self.colours)?;
+        let seen = Seen { pattern: self.pattern, groups: &groups, field, masks };
+        let kernel = Irradiance::new()?;
+        let visible = kernel.record_counts(job, &seen)?;
         job.read("visible", visible.id());
-        let first = (row * field.columns()) as usize;
         if exposure.light_sums {
-            let normals = &self.prepared.normals[first..first + field.count() as usize];
-            let light = kernel.record(&mut job, &seen, normals)?;
+            let normals = &self.prepared.normals[*first..first + field.count() as usize];
+            let light = kernel.record(job, &seen, normals)?;
             job.read("light", light.id());
         }
-        let [masks, visible, light] = run(backend, &job, &mut out.work, progress)?;
-        self.add(out, first, field.count() as usize, &masks, &visible, &light);
         Ok(())
     }
 
-    /// Adds what a band's kernels gave, whose first texel is `first`, to the results.
-    fn add(&self, out: &mut Exposed, first: usize, count: usize, masks: &[u32], visible: &[u32], light: &[u32]) {
+    /// Adds what a band's kernels gave to the results.
+    fn add(&self, out: &mut Exposed, band: &Band, masks: &[u32], visible: &[u32], light: &[u32]) {
+        let (first, count) = (band.first, band.field.count() as usize);
         let texels = out.sets.texels();
         let words = out.sets.words as usize;
         for (word, plane) in masks.chunks(count).enumerate() {
@@ -120,9 +166,9 @@ impl Pass<'_> {
     }
 }
 
-/// Some rows of receivers and their lists.
+/// Some rows of receivers.
 struct Band {
-    row: u32,
+    /// Its first texel.
+    first: usize,
     field: Field,
-    tiles: Tiles,
 }
