@@ -15,8 +15,8 @@ use serde::{Deserialize, Serialize};
 use sightlines_backend_cpu::{Config, CpuBackend};
 use sightlines_visibility::scene::{Generator, Scene, bumpy_sphere, generate};
 use sightlines_visibility::setup::{Settings, Setup};
-use sightlines_visibility::shadows::bake;
 use sightlines_visibility::shadows::snap::snap;
+use sightlines_visibility::shadows::{Bake, bake};
 
 use crate::children::{self, Measured};
 use crate::clock::Clock;
@@ -93,6 +93,8 @@ pub struct Baked {
     pub rays_per_second: f64,
     /// Share of the rays that are hidden.
     pub hidden: f64,
+    /// BLAKE3 of all hidden-sample sets: the same on every machine, and before and after what may change no bit.
+    pub sets: String,
     /// The process' greatest resident memory in bytes, where the system tells.
     pub peak_bytes: Option<u64>,
     /// The same rays by Embree, if asked for.
@@ -179,12 +181,22 @@ fn measure(case: Case, tracer: Option<&Path>) -> Result<Baked> {
         ns_per_lane_op: first.work.lane_ops.filter(|ops| *ops > 0).map(|ops| median_ns / ops as f64),
         rays_per_second: rays / (median_ns / 1e9),
         hidden: 1.0 - visible / rays,
+        sets: digest(&first),
         peak_bytes,
         embree: tracer.map(trace).transpose()?,
         median_ns,
         runs_ns,
         case,
     })
+}
+
+/// BLAKE3 of the words of all sets.
+fn digest(bake: &Bake) -> String {
+    let mut hasher = blake3::Hasher::new();
+    bake.sets.masks.iter().for_each(|word| {
+        hasher.update(&word.to_le_bytes());
+    });
+    hasher.finalize().to_string()
 }
 
 /// Runs the cases in child processes of `exe`, tells each to `progress` as it ends, prints the table to `out` and writes
@@ -286,6 +298,7 @@ mod tests {
         let baked: Baked = serde_json::from_slice(&out).unwrap();
         assert_eq!((baked.case.clone(), baked.runs_ns.len()), (case, 2));
         assert!(baked.pairs > 0 && baked.lane_ops > Some(0) && baked.rays_per_second > 0.0);
+        assert_eq!(baked.sets.len(), 64);
         assert!(baked.hidden > 0.0 && baked.hidden < 1.0, "{}", baked.hidden);
         assert!(table(&[baked]).contains("bumpy-1000"));
         assert!(serve("{}", None, &mut Vec::new()).is_err());
