@@ -39,6 +39,7 @@ pub mod sample_planes;
 pub mod sat;
 pub mod scan;
 pub mod screen;
+pub mod tile_lists;
 pub mod tiles;
 pub mod triangles;
 pub mod vertex_visibility;
@@ -92,6 +93,7 @@ package! {
         sample_planes,
         sat,
         scan,
+        tile_lists,
         vertex_visibility;
     shared:
         angle,

@@ -94,21 +94,28 @@ fn met(size: [u32; 2], [x0, x1, y0, y1]: [i32; 4]) -> [Range<u32>; 2] {
     [(x0, x1, size[0]), (y0, y1, size[1])].map(|(first, last, size)| first as u32 / size..last as u32 / size + 1)
 }
 
-/// Consecutive triangles that have at most `entries` entries in tiles of this size, a triangle of many by itself, and that
-/// are at most `triangles`.
-pub fn batches(size: [u32; 2], regions: &[[i32; 4]], entries: u64, triangles: usize) -> Vec<Range<usize>> {
-    let mut batches: Vec<Range<usize>> = Vec::new();
-    let mut held = 0;
+/// Consecutive triangles that are sorted together.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Batch {
+    /// The triangles.
+    pub triangles: Range<usize>,
+    /// Entries of all their lists.
+    pub entries: u64,
+}
+
+/// All triangles in batches, in order: as many at a time as `fits` says, of so many triangles with so many entries in tiles of
+/// this size; a triangle that does not fit is a batch by itself.
+pub fn batches(size: [u32; 2], regions: &[[i32; 4]], fits: impl Fn(u64, u64) -> bool) -> Vec<Batch> {
+    let mut batches: Vec<Batch> = Vec::new();
     for (number, region) in regions.iter().enumerate() {
         let [columns, rows] = met(size, *region);
         let more = columns.len() as u64 * rows.len() as u64;
-        held += more;
         match batches.last_mut() {
-            Some(batch) if held <= entries && batch.len() < triangles => batch.end = number + 1,
-            _ => {
-                batches.push(number..number + 1);
-                held = more;
+            Some(batch) if fits(batch.triangles.len() as u64 + 1, batch.entries + more) => {
+                batch.triangles.end = number + 1;
+                batch.entries += more;
             }
+            _ => batches.push(Batch { triangles: number..number + 1, entries: more }),
         }
     }
     batches
@@ -132,11 +139,15 @@ mod tests {
         let regions = [[0, 0, 0, 0], [0, 7, 0, 3], [1, 0, 0, 0], [4, 4, 2, 2], [0, 15, 0, 15], [0, 0, 0, 0]];
         let size = [4, 2];
         // Entries: 1, 4, 0, 1, 32, 1.
-        assert_eq!(batches(size, &regions, 5, 9), [0..3, 3..4, 4..5, 5..6]);
-        assert_eq!(batches(size, &regions, 6, 9), [0..4, 4..5, 5..6]);
-        assert_eq!(batches(size, &regions, 100, 6).first(), Some(&(0..6)));
-        assert_eq!(batches(size, &regions, 100, 2), [0..2, 2..4, 4..6]);
-        assert!(batches(size, &[], 5, 9).is_empty());
+        let cut = |most: u64, entries: u64| {
+            let batches = batches(size, &regions, |triangles, held| triangles <= most && held <= entries);
+            batches.into_iter().map(|batch| (batch.triangles, batch.entries)).collect::<Vec<_>>()
+        };
+        assert_eq!(cut(9, 5), [(0..3, 5), (3..4, 1), (4..5, 32), (5..6, 1)]);
+        assert_eq!(cut(9, 6), [(0..4, 6), (4..5, 32), (5..6, 1)]);
+        assert_eq!(cut(6, 100), [(0..6, 39)]);
+        assert_eq!(cut(2, 100), [(0..2, 5), (2..4, 1), (4..6, 33)]);
+        assert!(batches(size, &[], |_, _| true).is_empty());
     }
 
     #[test]

@@ -41,6 +41,8 @@ pub(super) fn all() -> Vec<Case> {
         small("uneven_steps", Samples { step: [33, 97], ..light(64, 32, 32) }, FEW, mixed),
         small("low_receivers", light(16, 32, 32), Receivers { height: 40, step: [9, 7], ..FEW }, mixed),
         small("one_receiver", full, Receivers { columns: 1, rows: 1, ..FEW }, mixed),
+        small("crowd", full, Receivers { columns: 9, rows: 1, ..FEW }, slivers),
+        small("nobody_sees_more", full, Receivers { columns: 4, rows: 3, ..FEW }, curtain),
         long_list(),
         thicket(),
     ];
@@ -53,6 +55,24 @@ pub(super) fn all() -> Vec<Case> {
 
 fn mixed(samples: &Samples, receivers: &Receivers) -> Vec<Triangle> {
     Family::ALL.into_iter().flat_map(|family| family.triangles(4, samples, receivers, 5)).collect()
+}
+
+/// Slivers across all rows of samples: a row of receivers has more items at once than may wait, and most hide few samples.
+fn slivers(_: &Samples, _: &Receivers) -> Vec<Triangle> {
+    let sliver = |index: u32| {
+        let x = random::below(1600, SEED, index) as i32 - 800;
+        [[x, -3000, 12_288], [x + 6, -3000, 12_288], [x + 3, 3000, 12_200]]
+    };
+    (0..200).map(sliver).collect()
+}
+
+/// Triangles that hide all of the light from the upper receivers, and whole rows of it or parts of rows from others, over and over,
+/// and a last one that hides more from these.
+fn curtain(_: &Samples, _: &Receivers) -> Vec<Triangle> {
+    let large = |index: i32| [[-9000, -40 - index, 12_000], [9000, -40 - index, 12_000], [0, -15_000, 11_000]];
+    let aside = |index: i32| [[-400 - index, -9000, 12_000], [-400 - index, 9000, 12_000], [-15_000, 0, 11_000]];
+    let last = [[-200, 0, 9000], [700, 30, 9000], [100, 900, 9000]];
+    (0..150).flat_map(|index| [large(index), aside(index)]).chain([last]).collect()
 }
 
 fn tiles(samples: &Samples, receivers: &Receivers, triangles: &[Triangle], tile_rows: u32) -> Tiles {

@@ -18,8 +18,10 @@
 //
 // One workgroup serves WIDTH by HEIGHT receivers. Invocations first are triangles, 256 of the list at a time, and find
 // which rows of samples they meet for each row of receivers. Each such pair is an item; items wait on a stack until there is
-// one for every invocation. Then invocations are items, and each finds its spans for WIDTH receivers. So work is done for what
-// meets a row of samples alone, and nearly all lanes have it. The order of items cannot show: spans are joined by OR.
+// one for every invocation. Then invocations are items, and each finds its spans for those of WIDTH receivers that see it
+// before the light. So work is done for what meets a row of samples alone, and nearly all lanes have it. The order of items
+// cannot show: spans are joined by OR. Now and then the rows of samples are found that nobody of a row of receivers sees any
+// more; these make no items, and when there are no others the rest of the list is left.
 
 import package::shared::wide::{imul_wide, add64};
 import package::shared::view::{View, receiver_at, sample_row};
@@ -42,8 +44,15 @@ const ROWS_PER_WORD = 32u / COLUMNS;
 /// One step between samples, and the bits below it.
 const ONE = 262144;
 const FRACTION = 262143;
+/// Half a step before the first sample, and past the last.
+const BEFORE = -131072;
+const BEHIND = i32(COLUMNS) * ONE + 131072;
 /// Lanes, and triangles or items that they take at a time.
 const LANES = 256u;
+/// Most items that wait.
+const ITEMS = 1280u;
+/// Items that are taken before rows of samples are looked through, and then as many again as before.
+const LOOK = 1024u;
 
 struct Params {
     /// Receiver row of the first workgroup row.
@@ -68,42 +77,49 @@ struct Params {
 /// Row j of the mask of receiver (i, line) at (j * HEIGHT + line) * WIDTH + i.
 var<workgroup> masks: array<atomic<u32>, ROWS * RECEIVERS>;
 /// Items that wait, as `item` makes them.
-var<workgroup> items: array<u32, 512>;
+var<workgroup> items: array<u32, ITEMS>;
+/// Items that wait, and those for which there was no room.
 var<workgroup> pushed: atomic<u32>;
-var<workgroup> waiting: u32;
+/// A number that all invocations are told.
+var<workgroup> told: u32;
+/// Rows of samples that are hidden from a whole row of receivers.
+var<workgroup> hidden_rows: array<atomic<u32>, HEIGHT>;
 
 fn vertex(triangle: u32, corner: u32) -> vec3<i32> {
     let at = 9u * triangle + 3u * corner;
     return vec3<i32>(vertices[at], vertices[at + 1u], vertices[at + 2u]);
 }
 
-/// A vertex as its backprojection moves over the rows of samples: row (n - line * n_step) / d for a row of receivers.
+/// A vertex as its backprojection moves over the rows of samples: at `at`, and by `step` less for each row of receivers, in
+/// units of 1 / 1024 row. Both are cut at FAR.
 struct Track {
-    n: i32,
-    n_step: i32,
-    per_d: f32,
+    at: i32,
+    step: i32,
 }
 
-/// float: filter - 1 / d is off by less than 2^-21 of it
+const FAR = 268435456;
+
+/// float: filter - both are off by less than 2^-20 of them and a unit
 fn track(triangle: u32, corner: u32, ry: i32) -> Track {
     let v = vertex(triangle, corner);
     let w = params.view.height - v.z;
     let n = v.y * params.view.height - ry * v.z - params.view.sample_y * w;
-    return Track(n, params.view.receiver_step_y * v.z, 1.0 / f32(params.view.sample_step_y * w));
+    let per = 1024.0 / f32(params.view.sample_step_y * w);
+    let at = clamp(f32(n) * per, -268435456.0, 268435456.0);
+    return Track(i32(at), i32(min(f32(params.view.receiver_step_y * v.z) * per, 268435456.0)));
 }
 
-/// float: filter - off by less than 2^-20 of it
-fn row_of(t: Track, line: u32) -> f32 {
-    return f32(t.n - bitcast<i32>(line) * t.n_step) * t.per_d;
+/// How far the rows of HEIGHT rows of receivers may be off, in units: without limit where they are too far away to be told.
+fn slack_of(a: Track, b: Track, c: Track) -> i32 {
+    let size = max(max(abs(a.at) + 3 * a.step, abs(b.at) + 3 * b.step), abs(c.at) + 3 * c.step);
+    return select((size >> 19u) + 6, 2 * FAR, size >= FAR);
 }
 
 /// First row of samples that three vertices may stand on either side of, and one past the last.
-///
-/// float: filter - rows up to 64 are off by less than 2^-10, so none is missed; those beyond are past all samples
-fn rows_met(a: f32, b: f32, c: f32) -> vec2<u32> {
-    let first = clamp(min(min(a, b), c) - 0.0009765625, 0.0, f32(ROWS));
-    let last = clamp(max(max(a, b), c) + 0.0009765625, 0.0, f32(ROWS));
-    return vec2<u32>(u32(ceil(first)), u32(ceil(last)));
+fn rows_met(a: i32, b: i32, c: i32, slack: i32) -> vec2<i32> {
+    let low = min(min(a, b), c);
+    let high = max(max(a, b), c);
+    return vec2<i32>(max((low - slack + 1023) >> 10u, 0), min((high + slack + 1023) >> 10u, i32(ROWS)));
 }
 
 /// A triangle, a row of receivers and a row of samples.
@@ -111,18 +127,30 @@ fn item(triangle: u32, line: u32, j: u32) -> u32 {
     return (triangle << 7u) | (line << 5u) | j;
 }
 
-/// allow(atomic-result): the order of items cannot show, as spans are joined by OR
-fn push(item: u32) {
-    items[atomicAdd(&pushed, 1u)] = item;
+/// Rows from the first to one before the second, which is greater.
+fn between(rows: vec2<i32>) -> u32 {
+    return (0xffffffffu >> bitcast<u32>(32 - (rows.y - rows.x))) << bitcast<u32>(rows.x);
 }
 
-/// Number of items that wait, the same for all invocations.
+/// Pushes a triangle's items for rows of samples as far as there is room, and returns the rows that are left.
+///
+/// allow(atomic-result): the order of items cannot show, as spans are joined by OR
+fn push(triangle: u32, line: u32, rows: u32) -> u32 {
+    var left = rows;
+    for (var at = atomicAdd(&pushed, countOneBits(rows)); (left != 0u) & (at < ITEMS); at += 1u) {
+        items[at] = item(triangle, line, firstTrailingBit(left));
+        left &= left - 1u;
+    }
+    return left;
+}
+
+/// Number of items that were pushed, the same for all invocations.
 fn depth(lane: u32) -> u32 {
     workgroupBarrier();
     if (lane == 0u) {
-        waiting = atomicLoad(&pushed);
+        told = atomicLoad(&pushed);
     }
-    return workgroupUniformLoad(&waiting);
+    return workgroupUniformLoad(&told);
 }
 
 /// A vertex, and f of it.
@@ -225,21 +253,39 @@ fn take(item: u32, x0: i32, y0: i32, count: u32) {
     spans(one, two, (j * HEIGHT + line) * WIDTH, x0, count);
 }
 
+/// The receivers, from the first to one past the last of `count`, that may see something of two edges before the light.
+///
+/// float: filter - a crossing at these bounds is off by less than 2^11 / ONE, and they are half a step from the light
+fn receivers_met(first: Crossing, second: Crossing, count: u32) -> vec2<u32> {
+    let starts = vec2<i32>(first.start, second.start);
+    let per = 1.0 / vec2<f32>(max(vec2<i32>(first.slope, second.slope), vec2<i32>(1)));
+    let enter = vec2<f32>(starts - BEHIND) * per;
+    let leave = vec2<f32>(starts - BEFORE) * per;
+    let most = f32(count);
+    return vec2<u32>(
+        u32(clamp(min(enter.x, enter.y), 0.0, most)),
+        u32(ceil(clamp(max(leave.x, leave.y), 0.0, most))),
+    );
+}
+
 /// Adds the samples between two edges to the masks of `count` receivers, from `place` on.
 fn spans(one: Edge, two: Edge, place: u32, x0: i32, count: u32) {
     let first = crossing(one, x0);
     let second = crossing(two, x0);
     let doubt = max(first.doubt, second.doubt);
-    // Where x is no whole number ceil(x) is floor(x + 1).
-    var x = first.start + ONE;
-    var y = second.start + ONE;
-    for (var i = 0u; i < count; i += 1u) {
+    let met = receivers_met(first, second, count);
+    // Where x is no whole number ceil(x) is floor(x + 1); `doubt` more changes that only where it is in doubt.
+    var x = first.start + ONE + doubt - bitcast<i32>(met.x) * first.slope;
+    var y = second.start + ONE + doubt - bitcast<i32>(met.x) * second.slope;
+    let seeing = max(met.y, met.x) - met.x;
+    let begin = place + met.x;
+    for (var i = 0u; i < seeing; i += 1u) {
         var low = min(x, y) >> 18u;
         var high = max(x, y) >> 18u;
-        if (min((x + doubt) & FRACTION, (y + doubt) & FRACTION) <= 2 * doubt) {
-            let rx = x0 + params.view.receiver_step_x * bitcast<i32>(i);
-            let from_one = before(one, rx, x - ONE, first.doubt < ONE);
-            let from_two = before(two, rx, y - ONE, second.doubt < ONE);
+        if (min(x & FRACTION, y & FRACTION) <= 2 * doubt) {
+            let rx = x0 + params.view.receiver_step_x * bitcast<i32>(met.x + i);
+            let from_one = before(one, rx, x - ONE - doubt, first.doubt < ONE);
+            let from_two = before(two, rx, y - ONE - doubt, second.doubt < ONE);
             low = min(from_one, from_two);
             high = max(from_one, from_two);
         }
@@ -247,11 +293,50 @@ fn spans(one: Edge, two: Edge, place: u32, x0: i32, count: u32) {
         high = min(high, bitcast<i32>(COLUMNS));
         if (low < high) {
             let span = (0xffffffffu >> bitcast<u32>(32 - (high - low))) << bitcast<u32>(low);
-            atomicOr(&masks[place + i], span);
+            atomicOr(&masks[begin + i], span);
         }
         x -= first.slope;
         y -= second.slope;
     }
+}
+
+/// Takes the last `count` items, as many as there are invocations at a time, and returns how many are left.
+fn take_all(lane: u32, count: u32, corner: vec3<i32>, columns: u32) -> u32 {
+    var left = count;
+    while (left >= LANES) {
+        left -= LANES;
+        take(items[left + lane], corner.x, corner.y, columns);
+    }
+    workgroupBarrier();
+    if (lane == 0u) {
+        atomicStore(&pushed, left);
+    }
+    workgroupBarrier();
+    return left;
+}
+
+/// Looks for rows of samples that are hidden from `columns` receivers of each of `lines` rows, and returns whether all are.
+fn look(lane: u32, columns: u32, lines: u32) -> bool {
+    var line = lane / ROWS;
+    let j = lane % ROWS;
+    let all = 0xffffffffu >> (32u - COLUMNS);
+    if (line < lines) {
+        var row = all;
+        for (var i = 0u; i < columns; i += 1u) {
+            row &= atomicLoad(&masks[(j * HEIGHT + line) * WIDTH + i]);
+        }
+        if (row == all) {
+            atomicOr(&hidden_rows[line], 1u << j);
+        }
+    }
+    workgroupBarrier();
+    if (lane == 0u) {
+        told = 0u;
+        for (line = 0u; line < lines; line += 1u) {
+            told += countOneBits(atomicLoad(&hidden_rows[line]));
+        }
+    }
+    return workgroupUniformLoad(&told) == lines * ROWS;
 }
 
 /// Joins the masks of the workgroup's receivers to those in memory.
@@ -281,35 +366,53 @@ fn row_span(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_i
     let tile = (y / params.tile_rows) * params.tiles + group.x;
     let first = starts[tile] + params.skip;
     let end = min(starts[tile + 1u], first + LIST);
+    if (first >= end) {
+        return;
+    }
     var count = 0u;
+    var taken = 0u;
+    var next_look = LOOK;
     for (var start = first; start < end; start += LANES) {
-        let is_there = start + lane < end;
-        let triangle = entries[min(start + lane, end - 1u)];
-        let a = track(triangle, 0u, corner.y);
-        let b = track(triangle, 1u, corner.y);
-        let c = track(triangle, 2u, corner.y);
+        var triangle = 0u;
+        var a = Track(0, 0);
+        var b = a;
+        var c = a;
+        // Who has no triangle meets no row.
+        var slack = -FAR;
+        if (start + lane < end) {
+            triangle = entries[start + lane];
+            a = track(triangle, 0u, corner.y);
+            b = track(triangle, 1u, corner.y);
+            c = track(triangle, 2u, corner.y);
+            slack = slack_of(a, b, c);
+        }
         for (var line = 0u; line < lines; line += 1u) {
-            var rows = rows_met(row_of(a, line), row_of(b, line), row_of(c, line));
-            rows.y = select(0u, rows.y, is_there);
-            for (var turn = 0u; turn < ROWS; turn += 1u) {
-                if (rows.x < rows.y) {
-                    push(item(triangle, line, rows.x));
-                    rows.x += 1u;
+            let rows = rows_met(a.at, b.at, c.at, slack);
+            a.at -= a.step;
+            b.at -= b.step;
+            c.at -= c.step;
+            var left = 0u;
+            if (rows.x < rows.y) {
+                left = between(rows) & ~atomicLoad(&hidden_rows[line]);
+            }
+            for (var is_left = true; is_left;) {
+                if (left != 0u) {
+                    left = push(triangle, line, left);
                 }
-                let pushed_now = depth(lane);
-                if (pushed_now == count) {
-                    break;
-                }
-                count = pushed_now;
+                count = depth(lane);
+                is_left = count > ITEMS;
                 if (count >= LANES) {
-                    count -= LANES;
-                    take(items[count + lane], corner.x, corner.y, columns);
-                    workgroupBarrier();
-                    if (lane == 0u) {
-                        atomicStore(&pushed, count);
-                    }
-                    workgroupBarrier();
+                    taken += min(count, ITEMS);
+                    count = take_all(lane, min(count, ITEMS), corner, columns);
+                    taken -= count;
                 }
+            }
+        }
+        if (taken >= next_look) {
+            next_look = 2u * taken;
+            if (look(lane, columns, lines)) {
+                count = 0u;
+                break;
             }
         }
     }

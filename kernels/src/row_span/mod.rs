@@ -6,7 +6,7 @@
 use std::sync::Arc;
 
 use sightlines_backend::host::{Bindings, Buffer};
-use sightlines_backend::{Define, Error, Job, Kernel, Program, Result, bindings, host};
+use sightlines_backend::{Command, Define, Error, Job, Kernel, Program, Result, bindings, host};
 
 use crate::grid::{Receivers, Samples, Triangle, View};
 use crate::pieces;
@@ -108,6 +108,27 @@ impl RowSpan {
 
     /// Adds the samples that the tiles' triangles hide to `hidden`, in recordings of bounded cost.
     pub fn record(&self, job: &mut Job, receivers: &Receivers, tiles: &Tiles, scene: Scene) -> Result<()> {
+        let room = self.room(job);
+        self.launch(job, receivers, tiles, scene, room)
+    }
+
+    /// All that [`launch`](Self::launch) adds to a job's tables.
+    pub fn room(&self, job: &mut Job) -> Buffer<Params> {
+        job.program(&self.program);
+        let id = job.buffer("row span params", size_of::<Params>() as u64);
+        Buffer::from_raw(id, 0, job.size(id))
+    }
+
+    /// [`record`](Self::record) without a further program or buffer, so that it fits a session that is open already and has
+    /// sorted the lists itself: of `tiles` the starts matter.
+    pub fn launch(
+        &self,
+        job: &mut Job,
+        receivers: &Receivers,
+        tiles: &Tiles,
+        scene: Scene,
+        params: Buffer<Params>,
+    ) -> Result<()> {
         receivers.check()?;
         let words = u64::from(receivers.count()) * u64::from(self.samples.words());
         let triangles = scene.vertices.len() / 9;
@@ -122,7 +143,8 @@ impl RowSpan {
         let program = job.program(&self.program);
         for Launch { rows, skip } in tiles.launches(receivers.rows, HEIGHT, PAIRS, LIST) {
             pieces::cut(job);
-            let params = job.value("row span params", &self.params(receivers, tiles, rows.start, skip));
+            let bytes = bytemuck::bytes_of(&self.params(receivers, tiles, rows.start, skip)).to_vec();
+            job.record(Command::Upload { buffer: params.id(), offset: 0, bytes });
             let Scene { vertices, starts, entries, hidden } = scene;
             let bound = Spans { params, vertices, starts, entries, hidden };
             job.launch(program, "row_span", &bound, [tiles.count[0], (rows.len() as u32).div_ceil(HEIGHT), 1]);
