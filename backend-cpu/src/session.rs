@@ -122,8 +122,8 @@ impl Session for CpuSession<'_> {
     fn read(&mut self, read: &Read) -> Result<Vec<u8>> {
         check::read(&self.descs, read)?;
         let words = self.range(read.buffer, read.offset, read.size)?;
-        let mut bytes = Vec::with_capacity(words.len() * 4);
-        words.iter().for_each(|word| bytes.extend_from_slice(&word.to_le_bytes()));
+        let mut bytes = vec![0; words.len() * 4];
+        bytes.as_chunks_mut().0.iter_mut().zip(words).for_each(|(bytes, word)| *bytes = word.to_le_bytes());
         Ok(bytes)
     }
 

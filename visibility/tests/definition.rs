@@ -126,13 +126,13 @@ fn work_is_counted_and_does_not_depend_on_threads() {
 
 #[test]
 fn work_adds_up_and_what_is_not_counted_stays_so() {
-    let part = Work { pairs: 3, closed: 4, culled: 1, lane_ops: Some(40), counts: None };
+    let part = Work { pairs: 3, closed: 4, culled: 1, bytes: 9, lane_ops: Some(40), counts: None };
     let mut sum = Work::default();
     sum += part;
     sum += part;
-    assert_eq!(sum, Work { pairs: 6, closed: 8, culled: 2, lane_ops: Some(80), counts: None });
+    assert_eq!(sum, Work { pairs: 6, closed: 8, culled: 2, bytes: 9, lane_ops: Some(80), counts: None });
     sum += Work { lane_ops: None, ..part };
-    assert_eq!(sum, Work { pairs: 9, closed: 12, culled: 3, lane_ops: None, counts: None });
+    assert_eq!(sum, Work { pairs: 9, closed: 12, culled: 3, bytes: 9, lane_ops: None, counts: None });
 }
 
 #[test]

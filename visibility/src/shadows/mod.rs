@@ -142,6 +142,8 @@ pub struct Work {
     pub closed: u64,
     /// Triangles of closed surfaces that were left out.
     pub culled: u64,
+    /// Bytes of all buffers of the session that has most. The same on every machine.
+    pub bytes: u64,
     /// Lane-operations ([`Session::lane_ops`](sightlines_backend::Session::lane_ops)), from the interpreter.
     pub lane_ops: Option<u64>,
     /// Semantic costs of all kernels, from machines that are told to count them.
@@ -151,7 +153,7 @@ pub struct Work {
 impl Default for Work {
     /// No work, all of it counted.
     fn default() -> Self {
-        Work { pairs: 0, closed: 0, culled: 0, lane_ops: Some(0), counts: Some(Counts::default()) }
+        Work { pairs: 0, closed: 0, culled: 0, bytes: 0, lane_ops: Some(0), counts: Some(Counts::default()) }
     }
 }
 
@@ -161,6 +163,7 @@ impl AddAssign for Work {
         self.pairs += more.pairs;
         self.closed += more.closed;
         self.culled += more.culled;
+        self.bytes = self.bytes.max(more.bytes);
         self.lane_ops = self.lane_ops.zip(more.lane_ops).map(|(sum, more)| sum + more);
         self.counts = self.counts.zip(more.counts).map(|(mut sum, more)| {
             sum += more;
