@@ -111,6 +111,9 @@ pub enum Work {
         /// Bake little: for a look, not for numbers that are kept.
         #[arg(long)]
         quick: bool,
+        /// Take meshes of 10 to 1,000,000 triangles, each ten times the one before.
+        #[arg(long)]
+        scale: bool,
         /// Runs after the warm-up; with 0 the first run counts [default: 3; 1 with --quick].
         #[arg(long, value_name = "N")]
         runs: Option<u8>,

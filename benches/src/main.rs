@@ -24,11 +24,12 @@ fn main() -> ExitCode {
 fn start(cli: &Cli) -> Result<u8> {
     match &cli.command {
         None => run::run(&own_path()?, &cli.bench, &mut io::stdout()),
-        Some(Work::Shadows { filter, quick, runs, embree, out }) => {
+        Some(Work::Shadows { filter, quick, scale, runs, embree, out }) => {
             let size = if *quick { shadows::Size::QUICK } else { shadows::Size::FULL };
             let size = shadows::Size { runs: runs.map_or(size.runs, usize::from), ..size };
             let (exe, folder) = (own_path()?, run::folder(out.as_deref())?);
-            let cases = shadows::cases(size, filter.as_ref());
+            let cases =
+                shadows::cases(size, if *scale { &shadows::SCALE[..] } else { &shadows::MESHES }, filter.as_ref());
             shadows::run(&exe, &cases, *embree, &folder, &mut io::stdout(), &mut io::stderr())
         }
         Some(Work::Ambient { quick, runs, embree, adapter, out }) => {

@@ -30,8 +30,11 @@ use crate::table::{Columns, cell};
 /// Sides of the light, in radii of the scene.
 pub const LIGHTS: [f64; 3] = [0.1, 0.4, 1.0];
 
-/// Triangles of the bumpy spheres.
-const SPHERES: [usize; 4] = [12_000, 70_000, 200_000, 870_000];
+/// Meshes by size.
+pub const MESHES: [&str; 5] = ["bumpy-12000", "palms", "bumpy-70000", "bumpy-200000", "bumpy-870000"];
+
+/// Meshes that show how work grows with the number of triangles.
+pub const SCALE: [&str; 6] = ["bumpy-10", "bumpy-100", "bumpy-1000", "bumpy-10000", "bumpy-100000", "bumpy-1000000"];
 
 /// Cells of the grid within which a ray passes an edge where Embree's rounding may decide.
 const AT_AN_EDGE: f64 = 0.5;
@@ -95,6 +98,8 @@ pub struct Baked {
     pub hidden: f64,
     /// BLAKE3 of all hidden-sample sets: the same on every machine, and before and after what may change no bit.
     pub sets: String,
+    /// Bytes of all buffers of the session that has most.
+    pub buffer_bytes: u64,
     /// The process' greatest resident memory in bytes, where the system tells.
     pub peak_bytes: Option<u64>,
     /// The same rays by Embree, if asked for.
@@ -109,11 +114,9 @@ impl Baked {
     }
 }
 
-/// All cases, meshes by size.
-pub fn cases(size: Size, filter: Option<&Regex>) -> Vec<Case> {
-    let mut meshes: Vec<String> = SPHERES.iter().map(|n| format!("bumpy-{n}")).collect();
-    meshes.insert(1, "palms".to_owned());
-    let cases = meshes.into_iter().flat_map(|mesh| LIGHTS.map(|light| Case { mesh: mesh.clone(), light, size }));
+/// Meshes under every light.
+pub fn cases(size: Size, meshes: &[&str], filter: Option<&Regex>) -> Vec<Case> {
+    let cases = meshes.iter().flat_map(|mesh| LIGHTS.map(|light| Case { mesh: (*mesh).to_owned(), light, size }));
     cases.filter(|case| filter.is_none_or(|filter| filter.is_match(&case.to_string()))).collect()
 }
 
@@ -182,6 +185,7 @@ fn measure(case: Case, tracer: Option<&Path>) -> Result<Baked> {
         rays_per_second: rays / (median_ns / 1e9),
         hidden: 1.0 - visible / rays,
         sets: digest(&first),
+        buffer_bytes: first.work.bytes,
         peak_bytes,
         embree: tracer.map(trace).transpose()?,
         median_ns,
@@ -233,8 +237,19 @@ fn unequal(baked: &Baked) -> Option<String> {
 }
 
 fn table(all: &[Baked]) -> String {
-    let head =
-        ["mesh", "triangles", "light", "s", "Mpairs", "Mlane-ops", "ns/lane-op", "Mrays/s", "hidden", "peak MiB"];
+    let head = [
+        "mesh",
+        "triangles",
+        "light",
+        "s",
+        "Mpairs",
+        "Mlane-ops",
+        "ns/lane-op",
+        "Mrays/s",
+        "hidden",
+        "MiB",
+        "peak MiB",
+    ];
     let mut lines = vec![head.map(str::to_owned).to_vec()];
     lines.extend(all.iter().map(|baked| {
         vec![
@@ -247,12 +262,17 @@ fn table(all: &[Baked]) -> String {
             cell(baked.ns_per_lane_op, 3),
             cell(Some(baked.rays_per_second / 1e6), 1),
             cell(Some(baked.hidden), 4),
-            cell(baked.peak_bytes.map(|bytes| bytes as f64 / f64::from(1 << 20)), 0),
+            cell(Some(mebibytes(baked.buffer_bytes)), 1),
+            cell(baked.peak_bytes.map(mebibytes), 0),
         ]
     }));
     let mut text = String::new();
     Columns { left: 1, lines }.render(&mut text);
     text
+}
+
+fn mebibytes(bytes: u64) -> f64 {
+    bytes as f64 / f64::from(1 << 20)
 }
 
 fn embree_table(all: &[Baked]) -> String {
@@ -284,8 +304,8 @@ mod tests {
 
     #[test]
     fn cases_are_every_mesh_under_every_light_and_can_be_selected() {
-        assert_eq!(cases(Size::FULL, None).len(), 15);
-        let palms = cases(Size::FULL, Some(&Regex::new("^palms/0").unwrap()));
+        assert_eq!(cases(Size::FULL, &MESHES, None).len(), 15);
+        let palms = cases(Size::FULL, &MESHES, Some(&Regex::new("^palms/0").unwrap()));
         assert_eq!(palms.iter().map(|case| case.light).collect::<Vec<_>>(), [0.1, 0.4]);
     }
 
@@ -299,6 +319,8 @@ mod tests {
         assert_eq!((baked.case.clone(), baked.runs_ns.len()), (case, 2));
         assert!(baked.pairs > 0 && baked.lane_ops > Some(0) && baked.rays_per_second > 0.0);
         assert_eq!(baked.sets.len(), 64);
+        // 32 words of masks at least.
+        assert!(baked.buffer_bytes >= 4 * 32 * 32, "{} bytes", baked.buffer_bytes);
         assert!(baked.hidden > 0.0 && baked.hidden < 1.0, "{}", baked.hidden);
         assert!(table(&[baked]).contains("bumpy-1000"));
         assert!(serve("{}", None, &mut Vec::new()).is_err());
