@@ -203,8 +203,8 @@ fn digest(bake: &Bake) -> String {
     hasher.finalize().to_string()
 }
 
-/// Runs the cases in child processes of `exe`, tells each to `progress` as it ends, prints the table to `out` and writes
-/// `shadows.json` into the folder. The answer is the exit code.
+/// Runs the cases in child processes of `exe`, tells each to `progress` as it ends, prints the table to `out` and
+/// writes `shadows.json` into the folder. The answer is the exit code.
 pub fn run(
     exe: &Path,
     cases: &[Case],

@@ -1,8 +1,8 @@
 //! Lists of triangles for tiles of receivers, and how a kernel works through them in launches of bounded length.
 //!
-//! A tile's receivers are served by the same workgroups, which take the tile's triangles one after the other. Invariant: the
-//! launches together meet every receiver row with every entry of its tile exactly once, and there is at least one for each
-//! row, so that empty lists too are shown to hide nothing.
+//! A tile's receivers are served by the same workgroups, which take the tile's triangles one after the other.
+//! Invariant: the launches together meet every receiver row with every entry of its tile exactly once, and there is at
+//! least one for each row, so that empty lists too are shown to hide nothing.
 
 use std::ops::Range;
 
@@ -57,8 +57,9 @@ impl Tiles {
         &self.entries[self.starts[tile] as usize..self.starts[tile + 1] as usize]
     }
 
-    /// What one recording takes after the other: receiver rows in steps of `step`, until a row brings the entries that the
-    /// workgroups meet to `pairs`, and at most `list` entries of a tile's list, so that no invocation's loops are long.
+    /// What one recording takes after the other: receiver rows in steps of `step`, until a row brings the entries that
+    /// the workgroups meet to `pairs`, and at most `list` entries of a tile's list, so that no invocation's loops are
+    /// long.
     pub fn launches(&self, rows: u32, step: u32, pairs: u64, list: u32) -> Vec<Launch> {
         let mut launches = Vec::new();
         let mut first = 0;
@@ -103,8 +104,8 @@ pub struct Batch {
     pub entries: u64,
 }
 
-/// All triangles in batches, in order: as many at a time as `fits` says, of so many triangles with so many entries in tiles of
-/// this size; a triangle that does not fit is a batch by itself.
+/// All triangles in batches, in order: as many at a time as `fits` says, of so many triangles with so many entries in
+/// tiles of this size; a triangle that does not fit is a batch by itself.
 pub fn batches(size: [u32; 2], regions: &[[i32; 4]], fits: impl Fn(u64, u64) -> bool) -> Vec<Batch> {
     let mut batches: Vec<Batch> = Vec::new();
     for (number, region) in regions.iter().enumerate() {

@@ -1,5 +1,5 @@
-//! What the cases of `row_span` show: one edit of the kernel of the kind that proofs and reviews miss must change a mask, and a
-//! guess that is as bad as WGSL permits must not.
+//! What the cases of `row_span` show: one edit of the kernel of the kind that proofs and reviews miss must change a
+//! mask, and a guess that is as bad as WGSL permits must not.
 
 use std::sync::Arc;
 

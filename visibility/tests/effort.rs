@@ -134,8 +134,8 @@ fn slopes_walls_height_fields_and_lightmaps_are_culled_and_taken_in_turns_alike(
     }
 }
 
-/// Each receiver has the light elsewhere, so faces must face all of the places where it is; and a surface around a receiver
-/// hides by its fronts alone.
+/// Each receiver has the light elsewhere, so faces must face all of the places where it is; and a surface around a
+/// receiver hides by its fronts alone.
 #[test]
 fn shifted_patterns_and_receivers_inside_are_minded() {
     let decorrelated = |effort| {

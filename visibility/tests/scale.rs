@@ -1,4 +1,5 @@
-//! From ten triangles to many, and scenes that sorting by tiles could trip over: work grows with what there is, told by counts.
+//! From ten triangles to many, and scenes that sorting by tiles could trip over: work grows with what there is, told by
+//! counts.
 
 use sightlines_backend_cpu::{Bounds, Config, CpuBackend};
 use sightlines_visibility::scene::bumpy_sphere;

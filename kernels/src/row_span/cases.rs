@@ -1,5 +1,5 @@
-//! Every shape of light and every family of triangles at a size whose whole oracle is quick, and a thicket at real size whose
-//! oracle looks at a seeded sample of receivers, most of them in the penumbra.
+//! Every shape of light and every family of triangles at a size whose whole oracle is quick, and a thicket at real size
+//! whose oracle looks at a seeded sample of receivers, most of them in the penumbra.
 
 use sightlines_backend::{Case, Expected, Job, Outputs, Result, Size};
 
@@ -57,7 +57,8 @@ fn mixed(samples: &Samples, receivers: &Receivers) -> Vec<Triangle> {
     Family::ALL.into_iter().flat_map(|family| family.triangles(4, samples, receivers, 5)).collect()
 }
 
-/// Slivers across all rows of samples: a row of receivers has more items at once than may wait, and most hide few samples.
+/// Slivers across all rows of samples: a row of receivers has more items at once than may wait, and most hide few
+/// samples.
 fn slivers(_: &Samples, _: &Receivers) -> Vec<Triangle> {
     let sliver = |index: u32| {
         let x = random::below(1600, SEED, index) as i32 - 800;
@@ -66,8 +67,8 @@ fn slivers(_: &Samples, _: &Receivers) -> Vec<Triangle> {
     (0..200).map(sliver).collect()
 }
 
-/// Triangles that hide all of the light from the upper receivers, and whole rows of it or parts of rows from others, over and over,
-/// and a last one that hides more from these.
+/// Triangles that hide all of the light from the upper receivers, and whole rows of it or parts of rows from others,
+/// over and over, and a last one that hides more from these.
 fn curtain(_: &Samples, _: &Receivers) -> Vec<Triangle> {
     let large = |index: i32| [[-9000, -40 - index, 12_000], [9000, -40 - index, 12_000], [0, -15_000, 11_000]];
     let aside = |index: i32| [[-400 - index, -9000, 12_000], [-400 - index, 9000, 12_000], [-15_000, 0, 11_000]];

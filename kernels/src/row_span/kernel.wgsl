@@ -1,27 +1,27 @@
 // Row spans: the samples of a regular light that triangles hide from receivers on a parallel plane, exactly.
 //
-// Eisemann and Décoret, "Visibility Sampling on GPU and Applications", sections 4 and 5, by row spans instead of a table:
-// the backprojection of a triangle covers, in each row of the light, one span of samples between two edges. `grid.rs` has
-// the definition that the masks meet bit for bit. Output: bit s % 32 of `hidden[(s / 32) * receivers + r]` is set if any
-// triangle of r's tile list hides sample s from receiver r; other bits are left as they are.
+// Eisemann and Décoret, "Visibility Sampling on GPU and Applications", sections 4 and 5, by row spans instead of a
+// table: the backprojection of a triangle covers, in each row of the light, one span of samples between two edges.
+// `grid.rs` has the definition that the masks meet bit for bit. Output: bit s % 32 of `hidden[(s / 32) * receivers +
+// r]` is set if any triangle of r's tile list hides sample s from receiver r; other bits are left as they are.
 //
-// Triangles lie strictly between the planes: 0 < z < height for every vertex. A row of receivers and a row of samples are
-// parallel, so one plane holds both, and what a triangle hides there is told by where its edges meet that plane:
+// Triangles lie strictly between the planes: 0 < z < height for every vertex. A row of receivers and a row of samples
+// are parallel, so one plane holds both, and what a triangle hides there is told by where its edges meet that plane:
 //
-// * f(v) = y * height - ry * z - v0 * (height - z) says on which side a vertex stands; a triangle meets the plane iff one
-//   vertex has another side than the other two, and the two edges from it cross. f > 0 is one side, f <= 0 the other, so
-//   what lies on the plane falls to one side by the same rule for all triangles.
+// * f(v) = y * height - ry * z - v0 * (height - z) says on which side a vertex stands; a triangle meets the plane iff
+//   one vertex has another side than the other two, and the two edges from it cross. f > 0 is one side, f <= 0 the
+//   other, so what lies on the plane falls to one side by the same rule for all triangles.
 // * The crossing of an edge is the mean of its vertices, weighted by the |f| of the other. From receiver i it is seen
-//   before a sample at x(i) = a - i b, in steps of the samples, and hides those k with x <= k of one edge and k < x of the
-//   other. Numbers of 18 binary places hold a and b; where x is too near to a whole number for their error, the sign of
-//   x - k decides, a sum of two products of integers.
+//   before a sample at x(i) = a - i b, in steps of the samples, and hides those k with x <= k of one edge and k < x of
+//   the other. Numbers of 18 binary places hold a and b; where x is too near to a whole number for their error, the
+//   sign of x - k decides, a sum of two products of integers.
 //
 // One workgroup serves WIDTH by HEIGHT receivers. Invocations first are triangles, 256 of the list at a time, and find
-// which rows of samples they meet for each row of receivers. Each such pair is an item; items wait on a stack until there is
-// one for every invocation. Then invocations are items, and each finds its spans for those of WIDTH receivers that see it
-// before the light. So work is done for what meets a row of samples alone, and nearly all lanes have it. The order of items
-// cannot show: spans are joined by OR. Now and then the rows of samples are found that nobody of a row of receivers sees any
-// more; these make no items, and when there are no others the rest of the list is left.
+// which rows of samples they meet for each row of receivers. Each such pair is an item; items wait on a stack until
+// there is one for every invocation. Then invocations are items, and each finds its spans for those of WIDTH receivers
+// that see it before the light. So work is done for what meets a row of samples alone, and nearly all lanes have it.
+// The order of items cannot show: spans are joined by OR. Now and then the rows of samples are found that nobody of a
+// row of receivers sees any more; these make no items, and when there are no others the rest of the list is left.
 
 import package::shared::wide::{imul_wide, add64};
 import package::shared::view::{View, receiver_at, sample_row};
@@ -90,8 +90,8 @@ fn vertex(triangle: u32, corner: u32) -> vec3<i32> {
     return vec3<i32>(vertices[at], vertices[at + 1u], vertices[at + 2u]);
 }
 
-/// A vertex as its backprojection moves over the rows of samples: at `at`, and by `step` less for each row of receivers, in
-/// units of 1 / 1024 row. Both are cut at FAR.
+/// A vertex as its backprojection moves over the rows of samples: at `at`, and by `step` less for each row of
+/// receivers, in units of 1 / 1024 row. Both are cut at FAR.
 struct Track {
     at: i32,
     step: i32,
@@ -109,7 +109,8 @@ fn track(triangle: u32, corner: u32, ry: i32) -> Track {
     return Track(i32(at), i32(min(f32(params.view.receiver_step_y * v.z) * per, 268435456.0)));
 }
 
-/// How far the rows of HEIGHT rows of receivers may be off, in units: without limit where they are too far away to be told.
+/// How far the rows of HEIGHT rows of receivers may be off, in units: without limit where they are too far away to be
+/// told.
 fn slack_of(a: Track, b: Track, c: Track) -> i32 {
     let size = max(max(abs(a.at) + 3 * a.step, abs(b.at) + 3 * b.step), abs(c.at) + 3 * c.step);
     return select((size >> 19u) + 6, 2 * FAR, size >= FAR);
@@ -215,8 +216,8 @@ fn halved(e: Edge, rx: i32, range: vec2<i32>) -> vec2<i32> {
     return vec2<i32>(select(range.x, k + 1, is_open & !reached), select(range.y, k, is_open & reached));
 }
 
-/// Exact number of samples before the crossing of an edge: ceil(x), between 0 and COLUMNS. `guess` is off by less than a
-/// quarter, unless the crossing could not be told.
+/// Exact number of samples before the crossing of an edge: ceil(x), between 0 and COLUMNS. `guess` is off by less than
+/// a quarter, unless the crossing could not be told.
 fn before(e: Edge, rx: i32, guess: i32, is_told: bool) -> i32 {
     let columns = bitcast<i32>(COLUMNS);
     if (is_told) {
@@ -315,7 +316,8 @@ fn take_all(lane: u32, count: u32, corner: vec3<i32>, columns: u32) -> u32 {
     return left;
 }
 
-/// Looks for rows of samples that are hidden from `columns` receivers of each of `lines` rows, and returns whether all are.
+/// Looks for rows of samples that are hidden from `columns` receivers of each of `lines` rows, and returns whether all
+/// are.
 fn look(lane: u32, columns: u32, lines: u32) -> bool {
     var line = lane / ROWS;
     let j = lane % ROWS;

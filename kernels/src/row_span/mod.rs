@@ -1,7 +1,8 @@
 //! Row spans: the exact masks of a regular light, without a table.
 //!
-//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", sections 4 and 5. `kernel.wgsl` states the output and
-//! the facts it rests on. Invariant: the masks are those of [`crate::grid::hidden`], bit for bit, on every machine.
+//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", sections 4 and 5. `kernel.wgsl` states the
+//! output and the facts it rests on. Invariant: the masks are those of [`crate::grid::hidden`], bit for bit, on every
+//! machine.
 
 use std::sync::Arc;
 
@@ -119,8 +120,8 @@ impl RowSpan {
         Buffer::from_raw(id, 0, job.size(id))
     }
 
-    /// [`record`](Self::record) without a further program or buffer, so that it fits a session that is open already and has
-    /// sorted the lists itself: of `tiles` the starts matter.
+    /// [`record`](Self::record) without a further program or buffer, so that it fits a session that is open already and
+    /// has sorted the lists itself: of `tiles` the starts matter.
     pub fn launch(
         &self,
         job: &mut Job,

@@ -1,21 +1,22 @@
 // Tile lists: which triangles can hide anything from the receivers of each tile, by number.
 //
-// Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 3: a triangle matters to the receivers of its
-// influence region alone. The lists are a counting sort of (tile, triangle) as in Satish, Harris and Garland, "Designing
-// Efficient Sorting Algorithms for Manycore GPUs" (IPDPS 2009): `count` a block of triangles by tiles, the sums of all
-// counts before, tile after tile and block after block (kernel `scan`), and `scatter` a block to where its sums say.
+// Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 3: a triangle matters to the receivers
+// of its influence region alone. The lists are a counting sort of (tile, triangle) as in Satish, Harris and Garland,
+// "Designing Efficient Sorting Algorithms for Manycore GPUs" (IPDPS 2009): `count` a block of triangles by tiles, the
+// sums of all counts before, tile after tile and block after block (kernel `scan`), and `scatter` a block to where its
+// sums say.
 //
-// A region is first and last column, first and last row of receivers, as `influence_region` writes it; none where a first
-// exceeds its last. Tile (x, y) has number y * tiles_x + x and holds the receivers with column >> shift_x = x and
+// A region is first and last column, first and last row of receivers, as `influence_region` writes it; none where a
+// first exceeds its last. Tile (x, y) has number y * tiles_x + x and holds the receivers with column >> shift_x = x and
 // row >> shift_y = y. Outputs:
 //
-// * `tally`, for each block of BLOCK triangles eight words: entries in tiles of 1, 2, 4 and 8 times 2^shift_y rows, triangles
-//   that have a region, sum of their rows, and their receivers as sums of area % 2^16 and area / 2^16.
+// * `tally`, for each block of BLOCK triangles eight words: entries in tiles of 1, 2, 4 and 8 times 2^shift_y rows,
+//   triangles that have a region, sum of their rows, and their receivers as sums of area % 2^16 and area / 2^16.
 // * `starts[t]` is the number of entries of all tiles before t, and `entries[starts[t]]` up to `starts[t + 1]` are the
 //   triangles whose region meets tile t, ascending.
 //
-// The order rests on no atomic: within a block, STEP triangles at a time set their bits in the tiles that they meet, and the
-// bits below its own tell each its place.
+// The order rests on no atomic: within a block, STEP triangles at a time set their bits in the tiles that they meet,
+// and the bits below its own tell each its place.
 
 /// Triangles of a block.
 const BLOCK: u32 = 1024u;
@@ -57,8 +58,8 @@ fn region_of(triangle: u32) -> vec4<i32> {
     return vec4<i32>(0, -1, 0, -1);
 }
 
-/// First and last column, first and last row of the tiles of a window that a triangle's region meets; a window begins at
-/// row `top`, and rows count from there.
+/// First and last column, first and last row of the tiles of a window that a triangle's region meets; a window begins
+/// at row `top`, and rows count from there.
 fn tiles_of(triangle: u32, top: u32) -> vec4<i32> {
     let region = region_of(triangle);
     if ((region.x > region.y) | (region.z > region.w)) {

@@ -1,9 +1,9 @@
 //! Tile lists: which triangles can hide anything from the receivers of each tile, sorted on the device.
 //!
-//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 3, gives each triangle a region; the sort is a
-//! count, a scan and a scatter. `kernel.wgsl` states the outputs exactly. Buffers are fixed before a device has counted, so
-//! [`TileLists::record_tally`] first tells how many entries there will be. Invariant: the lists are those of
-//! [`Tiles::new`](crate::tiles::Tiles::new), in the same order on every machine.
+//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 3, gives each triangle a region; the
+//! sort is a count, a scan and a scatter. `kernel.wgsl` states the outputs exactly. Buffers are fixed before a device
+//! has counted, so [`TileLists::record_tally`] first tells how many entries there will be. Invariant: the lists are
+//! those of [`Tiles::new`](crate::tiles::Tiles::new), in the same order on every machine.
 
 use std::iter::Sum;
 use std::sync::Arc;
@@ -34,8 +34,8 @@ pub const BLOCK: u32 = 1024;
 /// Tiles of a window.
 const WINDOW: u32 = 1024;
 
-/// Most tiles in a row, so that no invocation's loops turn as often as some devices bear: 16 steps of three walks over at
-/// most 513 tiles and ends of rows (docs/adding-a-kernel.md).
+/// Most tiles in a row, so that no invocation's loops turn as often as some devices bear: 16 steps of three walks over
+/// at most 513 tiles and ends of rows (docs/adding-a-kernel.md).
 const MAX_TILES_X: u32 = 512;
 
 /// Words of a block's tally.
@@ -207,8 +207,8 @@ impl TileLists {
         Ok(tallies)
     }
 
-    /// Sorts triangles into lists by their regions, four words each. `entries` holds as many words as there will be; the answer
-    /// is where the list of each tile begins, and where the last ends.
+    /// Sorts triangles into lists by their regions, four words each. `entries` holds as many words as there will be;
+    /// the answer is where the list of each tile begins, and where the last ends.
     pub fn record(
         &self,
         job: &mut Job,

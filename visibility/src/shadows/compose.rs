@@ -1,8 +1,9 @@
 //! The kernels in order: influence regions, tile lists, row spans, half-planes, bit counts.
 //!
 //! Receivers are worked on in bands whose sets fit one binding. Within a band every recording is of bounded cost, and
-//! progress is told after each. A session's buffers are fixed when it is opened: a first one finds the regions and tells
-//! how many entries their lists have, a second sorts and bakes. What crosses to the host of the lists is where they begin.
+//! progress is told after each. A session's buffers are fixed when it is opened: a first one finds the regions and
+//! tells how many entries their lists have, a second sorts and bakes. What crosses to the host of the lists is where
+//! they begin.
 
 use std::ops::Range;
 
@@ -251,8 +252,8 @@ impl Band<'_> {
     }
 }
 
-/// Rows of a tile: a quarter of what the triangles' regions have in the mean, so that lists are short and few receivers are
-/// looked at in vain.
+/// Rows of a tile: a quarter of what the triangles' regions have in the mean, so that lists are short and few receivers
+/// are looked at in vain.
 fn tile_rows(tally: &Tally) -> u32 {
     let mean = tally.rows.checked_div(tally.triangles).unwrap_or(0);
     ((mean / 4).next_power_of_two() as u32).clamp(TILE_ROWS, 8 * TILE_ROWS)

@@ -1,10 +1,10 @@
 //! Faces of closed surfaces that other faces make redundant.
 //!
-//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 7: of a watertight caster those triangles can
-//! go that face the light from all of its corners; the back faces that stay leave the smaller influence regions. Invariant:
-//! the sets are the same, bit for bit (docs/numerics.md has the proof). It rests on two properties, which are tested and
-//! never assumed: in a connected surface, welded by the points of the grid, every edge runs as often one way as the other; and
-//! it stands in front of the light, in a box that holds no receiver.
+//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 7: of a watertight caster those
+//! triangles can go that face the light from all of its corners; the back faces that stay leave the smaller influence
+//! regions. Invariant: the sets are the same, bit for bit (docs/numerics.md has the proof). It rests on two properties,
+//! which are tested and never assumed: in a connected surface, welded by the points of the grid, every edge runs as
+//! often one way as the other; and it stands in front of the light, in a box that holds no receiver.
 
 use sightlines_kernels::field::{Field, Receiver};
 use sightlines_kernels::grid::{Point, Triangle, XY};
@@ -23,8 +23,8 @@ pub struct Culled {
 /// Least and greatest coordinates.
 pub type Box3 = [Point; 2];
 
-/// Leaves out the triangles of closed surfaces that face all of a light whose samples lie between `corners`. `is_clear` says
-/// that no receiver is in a box.
+/// Leaves out the triangles of closed surfaces that face all of a light whose samples lie between `corners`. `is_clear`
+/// says that no receiver is in a box.
 pub fn cull(corners: &[Point; 4], is_clear: &dyn Fn(&Box3) -> bool, triangles: &[Triangle]) -> Culled {
     let mut surfaces = Surfaces::new(triangles);
     let mut turns = surfaces.turns(triangles);
@@ -45,7 +45,8 @@ pub fn cull(corners: &[Point; 4], is_clear: &dyn Fn(&Box3) -> bool, triangles: &
     culled
 }
 
-/// Six times the signed volume of a triangle and a point: positive where the triangle turns counter-clockwise seen from it.
+/// Six times the signed volume of a triangle and a point: positive where the triangle turns counter-clockwise seen from
+/// it.
 fn side(triangle: &Triangle, from: Point) -> i64 {
     let [a, b, c] = triangle.map(|v| -> [i64; 3] { std::array::from_fn(|k| i64::from(v[k]) - i64::from(from[k])) });
     let cross = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
@@ -102,7 +103,8 @@ impl Surfaces {
         boxes
     }
 
-    /// For the root of each surface, which sign of [`side`] says that a face looks outwards; none where it is not closed.
+    /// For the root of each surface, which sign of [`side`] says that a face looks outwards; none where it is not
+    /// closed.
     fn turns(&mut self, triangles: &[Triangle]) -> Vec<Option<i64>> {
         let mut edges = Numbers::with_room(2 * self.corners.len());
         let mut balances: Vec<(i32, u32)> = Vec::new();

@@ -1,8 +1,9 @@
 //! Any light on any receivers: patterns, forms and colours of lights, planes, height fields and lightmaps.
 //!
-//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", sections 6 and 8. Where [`bake`](super::bake) takes a
-//! white rectangle with a regular grid of samples and a parallel plane, this takes the rest, with the same definition on a grid
-//! of the same kind: on what both can do their sets are equal. Lights of more samples than a pass holds take several passes.
+//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", sections 6 and 8. Where [`bake`](super::bake)
+//! takes a white rectangle with a regular grid of samples and a parallel plane, this takes the rest, with the same
+//! definition on a grid of the same kind: on what both can do their sets are equal. Lights of more samples than a pass
+//! holds take several passes.
 
 use sightlines_backend::Backend;
 use sightlines_kernels::field::{Field, Receiver};
@@ -120,7 +121,8 @@ impl Sampling {
 /// What a light leaves of its receivers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Exposed {
-    /// Which samples are hidden from each texel, in any frame; all where there is no receiver, or it is behind the light.
+    /// Which samples are hidden from each texel, in any frame; all where there is no receiver, or it is behind the
+    /// light.
     pub sets: Sets,
     /// Whether a texel has a receiver.
     pub is_there: Vec<bool>,
@@ -132,7 +134,8 @@ pub struct Exposed {
     pub samples: Vec<u32>,
     /// Samples that each texel sees, colour after colour, row after row.
     pub visible: Vec<u32>,
-    /// Sums of cos a cos b / d² over those samples, in units of 2^-48 a square cell, in the same order; empty if not asked for.
+    /// Sums of cos a cos b / d² over those samples, in units of 2^-48 a square cell, in the same order; empty if not
+    /// asked for.
     pub light: Vec<u64>,
     /// The lit area, in square scene units.
     pub area: f64,
@@ -255,7 +258,8 @@ pub fn prepare(exposure: &Exposure) -> Result<Prepared> {
     Ok(Prepared { field, normals, frames, passes, palette, cell })
 }
 
-/// Exposes receivers to a light on `backend`; `progress` is called with the share of the work that is done, from 0 to 1.
+/// Exposes receivers to a light on `backend`; `progress` is called with the share of the work that is done, from 0 to
+/// 1.
 ///
 /// # Errors
 ///

@@ -1,9 +1,9 @@
 //! Tile lists for receivers anywhere: which triangles can come between a tile's receivers and the light.
 //!
 //! E. A. Haines and J. R. Wallace, "Shaft culling for efficient ray-cast radiosity" (1991): between the box of a tile's
-//! receivers and the light's rectangle runs a shaft, and what lies outside one of its planes hides nothing there. Tiles are
-//! found by halving the field, and each half is given what its parent's shaft let through. All in integers; a list that holds
-//! too much changes no bit, and one that held too little would be seen by the tests against the definition.
+//! receivers and the light's rectangle runs a shaft, and what lies outside one of its planes hides nothing there. Tiles
+//! are found by halving the field, and each half is given what its parent's shaft let through. All in integers; a list
+//! that holds too much changes no bit, and one that held too little would be seen by the tests against the definition.
 
 use sightlines_kernels::field::{Field, Receiver};
 use sightlines_kernels::grid::Triangle;
@@ -22,7 +22,8 @@ struct Shaft {
 }
 
 impl Shaft {
-    /// Around the receivers of some rows and columns, and the light as it is shifted for them; none where there are none.
+    /// Around the receivers of some rows and columns, and the light as it is shifted for them; none where there are
+    /// none.
     fn new(field: &Field, columns: [u32; 2], rows: [u32; 2], light: Extent) -> Option<Self> {
         let all = (rows[0]..rows[1]).flat_map(|row| (columns[0]..columns[1]).map(move |column| [column, row]));
         let all = all.map(|[column, row]| field.receivers()[(row * field.columns() + column) as usize]);

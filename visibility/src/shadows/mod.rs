@@ -1,8 +1,8 @@
 //! Soft shadows of area lights: for each texel of a receiver, the set of light samples that the scene hides from it.
 //!
-//! A [`Request`] is geometry and numbers, nothing of files or defaults; a [`Bake`] is the answer, its [`Sets`] exact on the
-//! quantised scene. Bit `i % 32` of word `i / 32` of a texel is set iff sample `i` is hidden from it. A request is of a white
-//! rectangle and a parallel plane; an [`Exposure`](expose::Exposure) is of any light and any receivers.
+//! A [`Request`] is geometry and numbers, nothing of files or defaults; a [`Bake`] is the answer, its [`Sets`] exact on
+//! the quantised scene. Bit `i % 32` of word `i / 32` of a texel is set iff sample `i` is hidden from it. A request is
+//! of a white rectangle and a parallel plane; an [`Exposure`](expose::Exposure) is of any light and any receivers.
 
 mod blue_noise;
 pub(crate) mod compose;
@@ -135,8 +135,8 @@ pub struct Bake {
 /// The work of a bake.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Work {
-    /// Pairs of a triangle and a receiver in its influence region; a triangle that crosses the receivers' plane is paired
-    /// with all of them. The same on every machine.
+    /// Pairs of a triangle and a receiver in its influence region; a triangle that crosses the receivers' plane is
+    /// paired with all of them. The same on every machine.
     pub pairs: u64,
     /// Triangles of closed surfaces.
     pub closed: u64,

@@ -1,8 +1,8 @@
 //! A pass of an exposure: up to 1024 samples of a light, in one frame, on bands of receivers.
 //!
-//! Bands are as high as their masks and tile lists let them be; where the lists of the lowest are still too long, triangles are
-//! taken in turns. Kernels: `line_mask` over lists by shafts, then `irradiance`
-//! for counts and light by groups of one colour; what they give is added to the results.
+//! Bands are as high as their masks and tile lists let them be; where the lists of the lowest are still too long,
+//! triangles are taken in turns. Kernels: `line_mask` over lists by shafts, then `irradiance` for counts and light by
+//! groups of one colour; what they give is added to the results.
 
 use sightlines_backend::host::Buffer;
 use sightlines_backend::{Backend, Job};
