@@ -29,7 +29,7 @@ pub fn tally(size: [u32; 2], regions: &[[i32; 4]]) -> [u32; 8] {
     let mut words = [0; 8];
     for [x0, x1, y0, y1] in regions.iter().filter(|region| is_region(region)).copied() {
         let met = |first: i32, last: i32, side: u32| {
-            let begins = |at: &i32| *at == first || *at as u32 % side == 0;
+            let begins = |at: &i32| *at == first || (*at as u32).is_multiple_of(side);
             (first..=last).filter(begins).count() as u32
         };
         for (k, entries) in words[..4].iter_mut().enumerate() {
