@@ -186,7 +186,7 @@ impl Band<'_> {
     /// One turn for all of some triangles, if their lists fit; none if these are empty.
     fn measured(&self, first: usize, triangles: &[Triangle], words: u64, work: &mut Work) -> Result<Vec<Turn>> {
         let mut job = Job::new();
-        let (_, regions) = self.regions(&mut job, triangles)?;
+        let [_, regions] = self.regions(&mut job, triangles)?;
         let tallies = TileLists::new()?.record_tally(&mut job, self.grid(TILE_ROWS), regions)?;
         let mut run = Run::open(self.backend, &job)?;
         run.submit(&job, &mut |_| ())?;
@@ -217,17 +217,17 @@ impl Band<'_> {
     }
 
     /// Records the influence regions of triangles.
-    fn regions(&self, job: &mut Job, triangles: &[Triangle]) -> Result<(Buffer<[i32]>, Buffer<[i32]>)> {
+    fn regions(&self, job: &mut Job, triangles: &[Triangle]) -> Result<[Buffer<[i32]>; 2]> {
         let vertices = job.slice("vertices between", triangles.as_flattened().as_flattened());
         let regions = job.zeroed("regions", 4 * triangles.len() as u64);
         InfluenceRegion::new()?.record(job, &self.scene.samples, self.receivers, vertices, regions)?;
-        Ok((vertices, regions))
+        Ok([vertices, regions])
     }
 
     /// Records the lists of a turn, and makes room for the spans.
     fn sort(&self, job: &mut Job, turn: &Turn, hidden: Buffer<[u32]>) -> Result<Sorted> {
         let Turn { triangles, entries, grid } = turn;
-        let (vertices, regions) = self.regions(job, &self.scene.between[triangles.clone()])?;
+        let [vertices, regions] = self.regions(job, &self.scene.between[triangles.clone()])?;
         let entries = job.zeroed("tile entries", *entries);
         let starts = TileLists::new()?.record(job, *grid, regions, entries)?;
         let kernel = RowSpan::new(&self.scene.samples)?;
