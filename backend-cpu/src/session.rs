@@ -17,6 +17,8 @@ pub(crate) struct CpuSession<'a> {
     programs: Vec<Arc<Program>>,
     descs: Vec<BufferDesc>,
     buffers: Vec<Vec<u32>>,
+    /// Bytes of all buffers.
+    allocated: u64,
     counts: Counts,
     lane_ops: u64,
 }
@@ -32,7 +34,7 @@ impl<'a> CpuSession<'a> {
         }
         let (programs, descs) = (programs.to_vec(), buffers.to_vec());
         let buffers = buffers.iter().map(|buffer| vec![0; (buffer.size / 4) as usize]).collect();
-        Ok(CpuSession { backend, programs, descs, buffers, counts: Counts::default(), lane_ops: 0 })
+        Ok(CpuSession { backend, programs, descs, buffers, allocated: wanted, counts: Counts::default(), lane_ops: 0 })
     }
 
     fn range(&mut self, buffer: BufferId, offset: u64, size: u64) -> Result<&mut [u32]> {
@@ -63,7 +65,7 @@ impl<'a> CpuSession<'a> {
             trap: self.backend.config.bounds == Bounds::Trap,
             fuel: self.backend.config.fuel,
             lanes: self.backend.config.lanes,
-            allocated: self.descs.iter().map(|buffer| buffer.size).sum(),
+            allocated: self.allocated,
             memory: self.backend.config.memory,
         };
         let (counts, lane_ops) =

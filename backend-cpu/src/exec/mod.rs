@@ -68,8 +68,6 @@ pub(crate) fn run(
     if groups.contains(&0) {
         return Ok((Counts::default(), 0));
     }
-    let written: Vec<bool> =
-        (0..buffers.len()).map(|index| ranges.iter().any(|r| r.buffer == index && r.write)).collect();
     let grid = Grid::new(code, groups, settings);
     let workers = settings.pool.map_or(1, |pool| grid.gangs().min(pool.current_num_threads() as u64));
     let wanted = settings.allocated.saturating_add(workers * Worker::bytes(code, grid.lanes));
@@ -79,14 +77,14 @@ pub(crate) fn run(
     }
     let work = match settings.pool {
         Some(pool) if grid.gangs() > 1 => {
-            let views = views(buffers, ranges, &written, |words| {
+            let views = views(buffers, ranges, |words| {
                 <[AtomicU32]>::mut_from_bytes(words.as_mut_bytes()).map_or(&[][..], |words| &*words)
             });
             let launch = grid.launch(code, views, settings);
             pool.install(|| grid.parallel(&launch, settings.level))
         }
         _ => {
-            let views = views(buffers, ranges, &written, |words| Cell::from_mut(words).as_slice_of_cells());
+            let views = views(buffers, ranges, |words| Cell::from_mut(words).as_slice_of_cells());
             let launch = grid.launch(code, views, settings);
             grid.sequential(&launch, settings.level)
         }
@@ -97,19 +95,26 @@ pub(crate) fn run(
     }
 }
 
-/// Views of the bound ranges; a buffer that any binding writes is shared as words of type `W`.
+/// Views of the bound ranges; a buffer that any binding writes is shared as words of type `W`. The work is that of the
+/// bound buffers, however many others a session has.
 fn views<'a, W>(
-    buffers: &'a mut [Vec<u32>],
+    mut buffers: &'a mut [Vec<u32>],
     ranges: &[Range],
-    written: &[bool],
     share: impl Fn(&'a mut [u32]) -> &'a [W],
 ) -> Vec<View<'a, W>> {
-    let whole: Vec<View<'a, W>> = buffers
-        .iter_mut()
-        .zip(written)
-        .map(|(words, written)| if *written { View::Write(share(words)) } else { View::Read(words) })
-        .collect();
-    let cut = |range: &Range| match whole[range.buffer] {
+    let mut bound: Vec<usize> = ranges.iter().map(|range| range.buffer).collect();
+    bound.sort_unstable();
+    bound.dedup();
+    let mut whole = Vec::with_capacity(bound.len());
+    let mut next = 0;
+    for &index in &bound {
+        let rest = std::mem::take(&mut buffers).split_at_mut(index - next).1;
+        let Some((words, rest)) = rest.split_first_mut() else { break };
+        let written = ranges.iter().any(|range| range.buffer == index && range.write);
+        whole.push(if written { View::Write(share(words)) } else { View::Read(words) });
+        (buffers, next) = (rest, index + 1);
+    }
+    let cut = |range: &Range| match whole[bound.partition_point(|index| *index < range.buffer)] {
         View::Read(words) => View::Read(&words[range.start..range.start + range.words]),
         View::Write(words) => View::Write(&words[range.start..range.start + range.words]),
     };
