@@ -41,6 +41,7 @@ pub mod scan;
 pub mod screen;
 pub mod tile_lists;
 pub mod tiles;
+pub mod transmittance;
 pub mod triangles;
 pub mod vertex_visibility;
 
@@ -94,6 +95,7 @@ package! {
         sat,
         scan,
         tile_lists,
+        transmittance,
         vertex_visibility;
     shared:
         angle,

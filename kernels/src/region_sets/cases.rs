@@ -1,7 +1,8 @@
 //! From no object to 2,000: figures of the paper, rectangles that nest and touch, discs on a screen, small limits.
 //!
 //! A case makes regions, paints all channels from an item buffer, sums the tables and counts, in the whole picture and
-//! in a part of it for each object; and weights of the pixels, by two channels at a time. Objects are squares or the discs of a screen, outlined by octagons.
+//! in a part of it for each object; and weights of the pixels, by two channels at a time. Objects are squares or the
+//! discs of a screen, outlined by octagons.
 
 use glam::UVec4;
 use sightlines_backend::{Case, Expected, Job, Result, Size};
@@ -43,6 +44,7 @@ pub(super) fn all() -> Vec<Case> {
         case("met_by_none", Size::Small, [2, 64, 0], [64, 48], |w, h| discs(40, w, h, 2)),
         case("met_by_5", Size::Small, [2, 64, 5], [64, 48], |w, h| discs(40, w, h, 2)),
         case("met_by_1999", Size::Real, [1, 64, MAX_MET], [136, 135], met_by_many),
+        case("met_18000", Size::Real, [1, 64, MAX_MET], [136, 96], met_by_most),
         case("discs_300", Size::Real, [4, 32, MAX_MET], [512, 512], |w, h| scattered(300, w, h, 5)),
         case("discs_1000_dense", Size::Real, [2, 64, MAX_MET], [768, 512], |w, h| discs(1000, w, h, 7)),
         case("discs_2000", Size::Real, [8, 64, MAX_MET], [1024, 1024], |w, h| scattered(2000, w, h, 6)),
@@ -76,6 +78,22 @@ fn nested(width: u32, height: u32) -> Screen {
 fn met_by_many(width: u32, height: u32) -> Screen {
     let mut rectangles = vec![[0, 0, width, height]];
     rectangles.extend((0..1999).map(|i| (3 * (i % 45), 3 * (i / 45))).map(|(x, y)| [x, y, x + 2, y + 2]));
+    squares(width, height, &rectangles)
+}
+
+/// The most regions that an object may meet, and the most neighbours. Stacks of 15 squares, a pixel each, are covered
+/// three times over, and the whole picture twice: of those two rectangles the last finds the only channel, and the
+/// other meets all else, 198 regions a stack: squares divide what covers them into 61 pieces, in which no channel is
+/// free.
+fn met_by_most(width: u32, height: u32) -> Screen {
+    let mut rectangles = Vec::new();
+    for stack in 0..110 {
+        let (x, y) = (3 * (stack % 45), 31 * (stack / 45));
+        rectangles.extend((0..15).map(|i| [x + 1, y + 2 * i + 1, x + 2, y + 2 * i + 2]));
+        rectangles.extend([[x, y, x + 3, y + 31]; 3]);
+    }
+    rectangles.extend((0..18).map(|i| [i, 95, i + 1, 96]));
+    rectangles.extend([[0, 0, width, height]; 2]);
     squares(width, height, &rectangles)
 }
 

@@ -1,8 +1,8 @@
 // Divides the rectangle of a conflict object among channels, by one workgroup of 64 lanes; a lane owns a piece.
 //
 // Regions of others are met by objects and then by their regions: those that exist, overlap the object's rectangle and
-// in whose overlap, by the outlines of the two objects, may be pixels of either; the first `met` of them, the others are
-// left out, and visibility may be over-estimated where they are.
+// in whose overlap, by the outlines of the two objects, may be pixels of either; the first `met` of them, the others
+// are left out, and visibility may be over-estimated where they are.
 //
 // The pieces begin as the bounding rectangle. Each region that is met divides
 // every piece that it overlaps and in which its channel is still free. The overlap may hold, by the outlines of the two
