@@ -1,8 +1,9 @@
 //! Visibility queries: `cargo xtask bench queries`.
 //!
-//! What is compared on one machine is counted in lane-operations of the interpreter, which no load changes; what is compared
-//! between machines is CPU time of this process on one thread, all of a driver's threads together. Every table stands
-//! beside the figures of Engelhardt and Dachsbacher, *Granular Visibility Queries on the GPU*, where they have some.
+//! What is compared on one machine is counted in lane-operations of the interpreter, which no load changes; what is
+//! compared between machines is CPU time of this process on one thread, all of a driver's threads together. Every table
+//! stands beside the figures of Engelhardt and Dachsbacher, *Granular Visibility Queries on the GPU*, where they have
+//! some.
 
 mod kernels;
 
@@ -135,15 +136,19 @@ const TABLE_1: [(u32, [u32; 4]); 5] = [
     (500, [11, 26, 31, 27]),
 ];
 
-/// Work of a frame: the light's view and its counts, and the volumes of the casters that are left, drawn for the viewer.
+/// Work of a frame: the light's view and its counts, and the volumes of the casters that are left, drawn for the
+/// viewer.
 fn table_1(size: Size) -> Result<Table> {
     let head =
         ["balls", "lit", "SAT", "pred.", "Mops none", "SAT", "HIB", "pred.", "none/SAT", "none/HIB", "none/pred."];
-    let mut table = Table::new(
-        "Table 1: shadow volumes. Casters kept (lit: by HIB, exact), Mega-lane-operations of a frame; in brackets the paper's \
-         quotients of frames per second",
-        &[&head[..], &["paper"]].concat(),
+    let title = format!(
+        "Table 1: shadow volumes. Casters kept (lit: by HIB, exact), Mega-lane-operations of a frame: a light's view of \
+         {0} x {0} pixels with its counts, and the volumes in a viewer's of {1} x {1}; in brackets the paper's quotients \
+         of frames per second",
+        size.target,
+        size.target / 2
     );
+    let mut table = Table::new(&title, &[&head[..], &["paper"]].concat());
     for &count in size.objects.iter().filter(|count| **count <= 500) {
         let (world, stage) = balls(count, size.target)?;
         let hib = ask(&stage, Method::HIB)?;
@@ -166,7 +171,7 @@ fn table_1(size: Size) -> Result<Table> {
             let casters: Vec<usize> =
                 stage.items.iter().zip(kept).filter(|(_, k)| **k).map(|(i, _)| i.instance).collect();
             counts[method] = casters.len();
-            frames[method] = queried[method] + volumes(&world, &casters, size.target)?;
+            frames[method] = queried[method] + volumes(&world, &casters, size.target / 2)?;
         }
         let paper = TABLE_1.iter().find(|(n, _)| *n == count).map_or_else(String::new, |(_, fps)| {
             let quotient = |i: usize| f64::from(fps[i]) / f64::from(fps[0]);

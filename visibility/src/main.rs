@@ -18,6 +18,7 @@ fn main() -> ExitCode {
         Command::Shadows(args) => program::shadows::run(&args, out),
         Command::Compare(args) => program::compare::run(&args, out),
         Command::Queries(args) => program::queries::run(&args, out),
+        Command::Cull(args) => program::cull::run(&args, out),
         Command::Ambient(args) => program::ambient::run(&args, out),
     };
     match done {

@@ -8,7 +8,7 @@ use sightlines_kernels::raster::oracle::{self, pictures};
 use sightlines_kernels::raster::{Faces, Ids, NOTHING, Picture};
 use sightlines_visibility::queries::{Answer, Granularity, Method, Queries, Stage, bounds, query};
 use sightlines_visibility::scene::frame::{Frame, Snapped};
-use sightlines_visibility::scene::{Camera, World, crowd, generate_world};
+use sightlines_visibility::scene::{Affine, Camera, Instance, World, crowd, generate_world};
 
 fn backend() -> CpuBackend {
     CpuBackend::new(Config::default())
@@ -20,7 +20,7 @@ fn frame(world: &World, camera: &Camera, width: u32, height: u32) -> Frame {
 
 /// The instance of every pixel, by the oracle.
 fn shown(world: &World, frame: &Frame) -> Vec<u32> {
-    let scene = |(number, instance): (usize, &sightlines_visibility::scene::Instance)| {
+    let scene = |(number, instance): (usize, &Instance)| {
         let mesh = &world.meshes[instance.mesh];
         let Snapped { vertices, to_mesh } = Snapped::of(mesh);
         let rows = frame.placement(&instance.transform.then(&to_mesh)).unwrap().rows;
@@ -106,6 +106,16 @@ fn bounds_hold_every_pixel_of_their_instance() {
 }
 
 #[test]
+fn what_is_flush_with_the_near_plane_is_bounded_by_its_own_rectangle() {
+    let mut world = crowd(1);
+    let tile = |i: usize| Affine::placed(0.7, [f64::from(i as u8 % 7), 0.1 / 3.0, f64::from(i as u8 / 7)]);
+    world.instances = (0..49).map(|i| Instance { transform: tile(i), ..world.instances[1].clone() }).collect();
+    let top = Camera::parse("3,9,3/3,0,3/height=9", [0.0, 1.0, 0.0]).unwrap().unwrap();
+    let stage = Stage::of(&world, frame(&world, &top, 128, 128)).unwrap();
+    assert!(bounds::of(&stage).iter().all(|b| b.rectangle.z - b.rectangle.x < 25), "no ball is wider than 1.5 of 9");
+}
+
+#[test]
 fn clusters_are_counted_and_sum_to_their_instances() {
     let world = crowd(5);
     let frame = frame(&world, &world.cameras[0], 64, 64);
@@ -163,7 +173,7 @@ fn rectangles_of_one_item_and_weights_are_those_of_every_pixel() {
         [0, 17].map(|item| queries.record_rectangles(&mut job, &drawn, item, &rectangles).unwrap()).into();
     let weights: Vec<u32> = (0..96 * 64).map(|pixel| pixel % 251).collect();
     let weighed = job.slice("weights", &weights);
-    let weighed = queries.record_weighted(&mut job, &drawn, weighed, 1).unwrap();
+    let weighed = queries.record_weighted(&mut job, &stage, &drawn, weighed, Method::HIB, 1).unwrap();
     for buffer in sums.iter().chain([&weighed.totals, &weighed.tiles]) {
         job.read("words", buffer.id());
     }

@@ -1,8 +1,8 @@
 //! One stage, one answer: queries, culling and predicated drawing give the same words on every machine.
 //!
-//! Test names read `machine/what`. The reference is the interpreter on one thread; it is compared with two threads, with
-//! every SIMD level that this host has, and with every adapter. Without an adapter those tests report themselves as
-//! ignored, with the reason.
+//! Test names read `machine/what`. The reference is the interpreter on one thread; it is compared with two threads,
+//! with every SIMD level that this host has, and with every adapter. Without an adapter those tests report themselves
+//! as ignored, with the reason.
 
 use std::process::ExitCode;
 use std::sync::OnceLock;
@@ -16,7 +16,9 @@ use sightlines_kernels::item_histogram::Order;
 use sightlines_kernels::raster::Picture;
 use sightlines_visibility::Result;
 use sightlines_visibility::queries::baselines::{depth_tests, predicated};
+use sightlines_visibility::queries::device::draw_counted;
 use sightlines_visibility::queries::displacement::{Scene, displace};
+use sightlines_visibility::queries::transparency::{Veil, query_veiled};
 use sightlines_visibility::queries::{Granularity, Method, Stage, query, share};
 use sightlines_visibility::scene::frame::Frame;
 use sightlines_visibility::scene::{creature_field, creature_in_hall, crowd};
@@ -24,7 +26,8 @@ use sightlines_visibility::scene::{creature_field, creature_in_hall, crowd};
 type Ask = fn(&dyn Backend) -> Result<Vec<u32>>;
 
 /// What a machine is asked, by name.
-const ASKED: [(&str, Ask); 3] = [("counts", counts), ("displacement", displacement), ("baselines", baselines)];
+const ASKED: [(&str, Ask); 4] =
+    [("counts", counts), ("displacement", displacement), ("baselines", baselines), ("applications", applications)];
 
 /// Totals, tiles, pixels and depths by both methods and orders, clusters, and what instances cover alone.
 fn counts(backend: &dyn Backend) -> Result<Vec<u32>> {
@@ -36,8 +39,8 @@ fn counts(backend: &dyn Backend) -> Result<Vec<u32>> {
         let answer = query(backend, &stage, method, 2, &mut |_| ())?;
         words.extend([answer.totals, answer.tiles, answer.shown, answer.depths].concat());
     }
-    words.extend(share::covered(backend, &world, &stage, &mut |_| ())?);
     let all: Vec<usize> = (0..world.instances.len()).collect();
+    words.extend(share::covered(backend, &stage, &all, &mut |_| ())?);
     let clusters = Stage::new(&world, frame, &all, Granularity::Clusters { shift: 5 })?;
     words.extend(query(backend, &clusters, Method::HIB, 0, &mut |_| ())?.totals);
     Ok(words)
@@ -68,8 +71,27 @@ fn baselines(backend: &dyn Backend) -> Result<Vec<u32>> {
     Ok(words)
 }
 
+/// Weighted sums through veils by both methods, and a picture of what another view counted.
+fn applications(backend: &dyn Backend) -> Result<Vec<u32>> {
+    let world = crowd(24);
+    let frame = |camera: usize| {
+        Frame::new(&world.cameras[camera], Picture { width: 64, height: 48 }, world.corners().as_flattened())
+    };
+    let opaque: Vec<usize> = (0..world.instances.len()).filter(|i| i % 2 == 0).collect();
+    let veil = |i: usize| Veil { instance: i, through: 10 * i as u32 };
+    let veils: Vec<Veil> = (0..world.instances.len()).filter(|i| i % 2 == 1).map(veil).collect();
+    let mut words = Vec::new();
+    for method in [Method::HIB, Method::SAT] {
+        let veiled = query_veiled(backend, &world, frame(0)?, &opaque, &veils, method)?;
+        words.extend([veiled.sums, veiled.weights, veiled.answer.totals].concat());
+    }
+    let [view, light] = [Stage::of(&world, frame(0)?)?, Stage::of(&world, frame(1)?)?];
+    words.extend(draw_counted(backend, &light, &view, Method::HIB, 9)?.depths);
+    Ok(words)
+}
+
 /// The words of one interpreter on one thread, made by the first test that asks.
-static REFERENCE: [OnceLock<Result<Vec<u32>, String>>; 3] = [const { OnceLock::new() }; 3];
+static REFERENCE: [OnceLock<Result<Vec<u32>, String>>; 4] = [const { OnceLock::new() }; 4];
 
 fn compare(asked: usize, backend: &dyn Backend) -> Result<(), Failed> {
     let one = CpuBackend::new(Config { threads: 1, ..Config::default() });

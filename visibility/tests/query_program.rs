@@ -1,12 +1,17 @@
-//! The command `sightlines queries` as its users meet it: exit codes, messages, files.
+//! The commands `sightlines queries` and `sightlines cull` as their users meet it: exit codes, messages, files.
 
 use std::process::{Command, Output};
 
 use sightlines_visibility::queries::files::read_seen;
 
 fn run(folder: &tempfile::TempDir, line: &str) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_sightlines"));
-    command.arg("queries").args(line.split_whitespace()).current_dir(folder.path()).output().unwrap()
+    sightlines(folder, &format!("queries {line}"))
+}
+
+/// Runs a command line, in which ~ is a blank within a word.
+fn sightlines(folder: &tempfile::TempDir, line: &str) -> Output {
+    let words = line.split_whitespace().map(|word| word.replace('~', " "));
+    Command::new(env!("CARGO_BIN_EXE_sightlines")).args(words).current_dir(folder.path()).output().unwrap()
 }
 
 fn names(folder: &tempfile::TempDir) -> Vec<String> {
@@ -74,7 +79,8 @@ fn a_path_gives_a_row_and_a_set_for_each_camera_and_files_say_the_same() {
             let pixels = item["pixels"].as_u64().unwrap();
             let tiles = item["tiles"].as_array().unwrap().iter().map(|n| n.as_u64().unwrap());
             assert_eq!(tiles.sum::<u64>(), pixels);
-            assert!(pixels <= item["covered"].as_u64().unwrap());
+            let covered = item.get("covered").and_then(|covered| covered.as_u64());
+            assert!(if pixels > 0 { covered >= Some(pixels) } else { covered.is_none() }, "{item}");
             let cells: Vec<&str> = lines[1 + 21 * view + number].split(',').collect();
             // A camera of words has commas, and stands in quotation marks.
             assert_eq!(cells[cells.len() - 6], pixels.to_string(), "{cells:?}");
@@ -94,4 +100,69 @@ fn a_path_gives_a_row_and_a_set_for_each_camera_and_files_say_the_same() {
     std::fs::write(folder.path().join("b.seen"), bytes).unwrap();
     let damaged = read_seen(&folder.path().join("b.seen")).unwrap_err().to_string();
     assert!(damaged.contains("b.seen: its bytes do not match their digest"), "{damaged}");
+}
+
+/// An OBJ file of so many groups of one triangle.
+fn groups(count: usize, triangle: impl Fn(f64) -> String) -> String {
+    let group = |i: usize| format!("g part{i}\n{}f {} {} {}\n", triangle(i as f64), 3 * i + 1, 3 * i + 2, 3 * i + 3);
+    (0..count).map(group).collect()
+}
+
+#[test]
+fn thousands_of_groups_in_one_place_are_counted_and_too_many_shares_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let coincident = groups(3000, |_| "v 0 0 0\nv 1 0 0\nv 0 1 0\n".to_owned());
+    std::fs::write(folder.path().join("equal.obj"), coincident).unwrap();
+    let camera = "--camera 0.5,0.5,9/0.5,0.5,0/height=1 --backend cpu";
+    let output = run(&folder, &format!("equal.obj --size 64x64 --seen a.seen {camera}"));
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert_eq!(read_seen(&folder.path().join("a.seen")).unwrap(), [[0]]);
+    // Each shows a row of the left side under the one before it, and all have one rectangle.
+    let nested = groups(1100, |i| format!("v 0 0 {0}\nv 1 1 {0}\nv 0 {1} {0}\n", -1e-3 * i, (i + 1.0) / 1100.0));
+    std::fs::write(folder.path().join("nested.obj"), nested).unwrap();
+    let line = format!("nested.obj --size 8x2200 {camera}");
+    let output = run(&folder, &line);
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(message.contains("more than 1024 of the 1100 instances lie one over the other"), "{message}");
+    let output = run(&folder, &format!("{line} --no-shares"));
+    let report = String::from_utf8(output.stdout).unwrap();
+    assert!(output.status.success() && report.contains("seen       1100 of 1100 items"), "{report}");
+}
+
+#[test]
+fn applications_cull_and_write_two_panels_and_mistakes_name_what_to_do() {
+    let folder = tempfile::tempdir().unwrap();
+    let good = "--scene crowd-30 --size 48x32 --picture a.png --backend cpu";
+    for (line, expected) in [
+        ("cull volumes", "its depths without the culled are those with all"),
+        ("cull volumes --method sat", "never fewer than are visible"),
+        ("cull detail", "triangles drawn, and no pixel changes"),
+        ("cull veils --veil ball~1*=0.25 --camera light", "of which at least 1/255 of a pixel is seen"),
+        ("cull veils --veil ball~1*=0.25 --least 3 --method sat", "of which at least 3 of a pixel is seen"),
+    ] {
+        let output = sightlines(&folder, &format!("{line} {good}"));
+        let report = String::from_utf8(output.stdout).unwrap();
+        assert!(output.status.success(), "{line}: {}", String::from_utf8_lossy(&output.stderr));
+        assert!(report.contains(expected), "{line}: {report}");
+        let picture = png::Decoder::new(std::io::Cursor::new(std::fs::read(folder.path().join("a.png")).unwrap()));
+        let reader = picture.read_info().unwrap();
+        assert_eq!((reader.info().width, reader.info().height), (2 * 48 + 8, 32), "{line}");
+    }
+    for (line, expected) in [
+        ("cull veils", "0 of 201 instances are veils"),
+        ("cull veils --veil ball=2", "`ball=2` is no veil"),
+        ("cull veils --veil glass=0.5", "no instance or mesh of scene `crowd-200` is named `glass`"),
+        ("cull veils --veil *=0.5", "201 of 201 instances are veils"),
+        ("cull detail --veil ball=0.5", "belong to `cull veils`"),
+        ("cull detail --light 1,2,3/0,0,0", "a light belongs to `cull volumes`"),
+        ("cull prisms --scene palms", "prisms are those of the scene `hall`"),
+        ("cull detail --scene palms", "scene `palms` has no camera"),
+        ("cull volumes --scene hall", "there is no camera `light`"),
+    ] {
+        let output = sightlines(&folder, line);
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{line}: {message}");
+        assert!(message.contains(expected) && message.contains("remedy"), "{line}: {message}");
+    }
 }

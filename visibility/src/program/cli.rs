@@ -9,6 +9,7 @@ use sightlines_visibility::setup::Up;
 
 use super::ambient::{self, args::AmbientArgs};
 use super::compare::{self, CompareArgs};
+use super::cull::{self, CullArgs};
 use super::queries::{QUERIES_HELP, QueriesArgs};
 use super::shadows::args::{SHADOWS_HELP, ShadowsArgs};
 
@@ -40,6 +41,9 @@ pub(crate) enum Command {
     /// Count the pixels that are seen of every instance, and where.
     #[command(after_help = AFTER_HELP, after_long_help = format!("{QUERIES_HELP}\n\n{AFTER_HELP}"))]
     Queries(QueriesArgs),
+    /// Cull by such counts: shadow volumes, prisms, detail, what veils hide.
+    #[command(after_help = AFTER_HELP, after_long_help = format!("{}\n\n{AFTER_HELP}", cull::HELP))]
+    Cull(CullArgs),
     /// Shade a scene by what its vertices see of an environment.
     #[command(after_help = AFTER_HELP, after_long_help = format!("{}\n\n{AFTER_HELP}", ambient::args::HELP))]
     Ambient(AmbientArgs),
@@ -113,6 +117,16 @@ pub(crate) enum Axis {
     Z,
 }
 
+impl Axis {
+    /// One unit along it.
+    pub(crate) fn vector(self) -> [f64; 3] {
+        match self {
+            Axis::Y => [0.0, 1.0, 0.0],
+            Axis::Z => [0.0, 0.0, 1.0],
+        }
+    }
+}
+
 impl From<Axis> for Up {
     fn from(axis: Axis) -> Self {
         match axis {
@@ -149,6 +163,8 @@ mod tests {
             "queries a.glb --camera front --camera 1,2,3/0,0,0/60 --tiles 3 --json a.json --heat a.png",
             "queries --scene crowd-100 --method sat --channels 8 --size 640x480 --path a.txt --seen a.seen",
             "queries --scene hall --camera -1,2,-3/0,0,0 --orbit 8 --clusters 4 --csv a.csv --backend cpu",
+            "cull volumes --scene crowd-100 --light 9,9,0/0,0,0 --picture a.png --size 320x240 --method sat",
+            "cull veils a.glb --veil glass*=0.5 --veil smoke=0.1 --least 4 --camera Front",
             "ambient a.ply -o a.glb -o b.ply --matrix a.occl --resume --level 6 --environment sky.hdr --rotate -30 --blur 2",
             "ambient a.glb --picture a.png --camera -4,3,6/0,1,0/60 --orbit 12 --size 320x200 --lazy --threshold 100",
             "ambient --motion skeleton --picture a.png --frames 24 --budget 100",
@@ -173,6 +189,9 @@ mod tests {
             "queries a.obj --size 0x4",
             "queries --scene crowd-0",
             "queries a.obj --tiles 9",
+            "cull",
+            "cull teapots",
+            "cull detail a.obj --scene crowd-20",
             "ambient a.obj --level 7",
             "ambient a.obj --level 2 --healpix 2",
             "ambient a.obj --resume",

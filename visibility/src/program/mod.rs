@@ -3,6 +3,7 @@
 pub(crate) mod ambient;
 pub(crate) mod cli;
 pub(crate) mod compare;
+pub(crate) mod cull;
 mod effort;
 mod machine;
 mod progress;
@@ -21,6 +22,11 @@ pub(crate) enum Failure {
     /// Two methods that must agree do not.
     #[error("the methods differ in {0} bits, and should in none\n  remedy: report it, with the scene and the machine")]
     Differ(u64),
+    /// Culling changed a picture that it must not change.
+    #[error(
+        "{0} words of a picture change without what was culled, and should not\n  remedy: report it, with the scene and the machine"
+    )]
+    Lost(u64),
     /// The report could not be written.
     #[error("standard output: {0}\n  remedy: name another place for the report; files named under `wrote` are whole")]
     Output(#[from] io::Error),
@@ -64,7 +70,7 @@ impl Failure {
         match self {
             Failure::Work(error) if error.is_missing_backend() => 3,
             Failure::Work(error) if error.is_bad_input() => 2,
-            Failure::Work(_) | Failure::Differ(_) | Failure::Output(_) => 1,
+            Failure::Work(_) | Failure::Differ(_) | Failure::Lost(_) | Failure::Output(_) => 1,
         }
     }
 }

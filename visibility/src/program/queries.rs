@@ -80,6 +80,9 @@ pub(crate) struct QueriesArgs {
     /// The visible sets of all cameras.
     #[arg(long, value_name = "FILE.seen")]
     seen: Option<PathBuf>,
+    /// Leave out what instances would cover with nothing in front, for which they are drawn again in layers.
+    #[arg(long, conflicts_with = "heat")]
+    no_shares: bool,
     /// The axis that points up.
     #[arg(long, value_enum, default_value = "y")]
     up: Axis,
@@ -148,21 +151,14 @@ impl QueriesArgs {
         }
     }
 
-    fn up(&self) -> [f64; 3] {
-        match self.up {
-            Axis::Y => [0.0, 1.0, 0.0],
-            Axis::Z => [0.0, 0.0, 1.0],
-        }
-    }
-
     /// The cameras in order: those named, those of the path, or the scene's first.
     fn cameras(&self, world: &World) -> Result<Vec<Camera>> {
         let mut cameras = Vec::new();
         for words in &self.camera {
-            cameras.push(camera(words, world, self.up(), || Place::default().element("--camera"))?);
+            cameras.push(camera(words, world, self.up.vector(), || Place::default().element("--camera"))?);
         }
         if let Some(path) = &self.path {
-            cameras.extend(read_path(path, world, self.up())?);
+            cameras.extend(read_path(path, world, self.up.vector())?);
         }
         if cameras.is_empty() {
             let Some(first) = world.cameras.first() else {
@@ -176,7 +172,7 @@ impl QueriesArgs {
         if let Some(count) = self.orbit
             && let Some(last) = cameras.pop()
         {
-            cameras.extend(last.orbit(middle(world), self.up(), count)?);
+            cameras.extend(last.orbit(middle(world), self.up.vector(), count)?);
         }
         Ok(cameras)
     }
@@ -213,7 +209,7 @@ fn middle(world: &World) -> [f64; 3] {
 }
 
 /// A camera of the scene by name, or from its words.
-fn camera(words: &str, world: &World, up: [f64; 3], place: impl Fn() -> Place) -> Result<Camera> {
+pub(crate) fn camera(words: &str, world: &World, up: [f64; 3], place: impl Fn() -> Place) -> Result<Camera> {
     if let Some(known) = world.cameras.iter().find(|camera| camera.name == words) {
         return Ok(known.clone());
     }
@@ -286,10 +282,14 @@ fn view(
         let what = format!("camera `{}` sees nothing of the scene", camera.name);
         return Err(Place::default().element("camera").error(what, "turn it to the scene, or move it"));
     }
-    let whole = granularity == Granularity::Instances;
-    let covered = whole.then(|| share::covered(backend, world, &stage, &mut |done| progress.show(0.5 + 0.5 * done)));
+    let mut covered = vec![None; answer.items.len()];
+    if granularity == Granularity::Instances && !args.no_shares {
+        let seen: Vec<usize> = (0..covered.len()).filter(|item| answer.totals[*item] > 0).collect();
+        let found = share::covered(backend, &stage, &seen, &mut |done| progress.show(0.5 + 0.5 * done))?;
+        seen.into_iter().zip(found).for_each(|(item, pixels)| covered[item] = Some(pixels));
+    }
     let Picture { width, height } = args.size;
-    Ok(View { camera: camera.name.clone(), size: [width, height], answer, covered: covered.transpose()? })
+    Ok(View { camera: camera.name.clone(), size: [width, height], answer, covered })
 }
 
 fn write(args: &QueriesArgs, world: &World, views: &[View]) -> Result<()> {

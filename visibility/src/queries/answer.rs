@@ -169,7 +169,27 @@ impl<'a> Run<'a> {
         Ok(bytes.as_chunks().0.iter().map(|bytes| u32::from_le_bytes(*bytes)).collect())
     }
 
-    fn answer(mut self, stage: &Stage, drawn: &Drawn, counts: &Counts, method: Method, cost: Cost) -> Result<Answer> {
+    /// The picture of a stage in buffers of depths and of item numbers.
+    pub(super) fn painted(
+        &mut self,
+        stage: &Stage,
+        [depth, items]: [Buffer<[u32]>; 2],
+        draw: Spent,
+    ) -> Result<Painted> {
+        let instance = |item: u32| stage.items.get(item as usize).map(|item| item.instance);
+        let instances = self.read(items)?.into_iter().map(instance).collect();
+        Ok(Painted { depths: self.read(depth)?, instances, draw })
+    }
+
+    /// What was counted.
+    pub(super) fn answer(
+        mut self,
+        stage: &Stage,
+        drawn: &Drawn,
+        counts: &Counts,
+        method: Method,
+        cost: Cost,
+    ) -> Result<Answer> {
         let items = stage.items.len();
         let mut totals = self.read(counts.totals)?;
         totals.truncate(items);

@@ -1,19 +1,23 @@
 //! What visibility queries are compared with, on the same raster: queries of whole objects, predicated drawing, the
 //! hierarchical depth buffer and N-buffers (sections 1 and 2 of the paper).
 //!
-//! All of them test boxes against the depths of the whole scene, so all keep every instance that shows a pixel. The first
-//! two draw the box of each instance and count its pixels, one after the other: `whole_objects` reads each count back
-//! before it asks for the next; `predicated` leaves them on the device, where they decide whether the instance's draw runs.
+//! All of them test boxes against the depths of the whole scene, so all keep every instance that shows a pixel. The
+//! first two draw the box of each instance and count its pixels: `whole_objects` waits for each count by itself;
+//! `predicated` leaves them on the device, where they decide whether the instance's draw runs. Hardware counts while it
+//! draws; here a count is a pass over the picture, and boxes that are apart on the screen share it.
+
+use std::ops::Range;
 
 use glam::UVec4;
 use sightlines_backend::host::Buffer;
-use sightlines_backend::{Backend, Command, Groups, Job};
-use sightlines_kernels::depth_bounds::{Boxes, DepthBounds, Form};
+use sightlines_backend::{Backend, Command, Job};
+use sightlines_kernels::depth_bounds::{self, DepthBounds, Form};
 use sightlines_kernels::item_histogram::Order;
-use sightlines_kernels::raster::{Faces, Ids};
+use sightlines_kernels::pieces;
 
 use super::answer::Run;
-use super::{Drawn, Granularity, Item, Painted, Queries, Spent, Stage, bounds};
+use super::share::layers;
+use super::{Drawn, Granularity, Painted, Queries, Spent, Stage, bounds, device, hib};
 use crate::error::Result;
 use crate::scene::{Instance, Mesh, World};
 
@@ -26,7 +30,7 @@ pub struct Verdict {
     pub draw: Spent,
     /// The tests.
     pub test: Spent,
-    /// How often the host waited for the device.
+    /// How often the host waited for the device; for what is not in the picture, it need not.
     pub read_backs: usize,
 }
 
@@ -42,66 +46,90 @@ fn boxes(world: &World) -> World {
     World { meshes: world.meshes.iter().map(boxed).collect(), ..world.clone() }
 }
 
-/// What boxes are drawn into: the scene's depths, a copy that a box may lower, and the pixels where it does or ties.
-struct Probe {
-    depth: Buffer<[u32]>,
-    copy: Buffer<[u32]>,
-    words: Buffer<[u32]>,
+/// The boxes of a stage's items, in layers of those that are apart on the screen and so cannot hide one another. Their
+/// pixels are counted layer after layer: what a layer draws, it draws into a copy of the scene's depths.
+struct Boxes {
+    layers: Vec<Stage>,
+    /// The item of each count.
+    items: Vec<usize>,
     counts: Buffer<[u32]>,
+    /// A copy of depths, and the words and bins of pixels.
+    scratch: [Buffer<[u32]>; 3],
 }
 
-impl Probe {
-    fn new(job: &mut Job, drawn: &Drawn) -> Self {
-        let pixels = u64::from(drawn.picture.pixels());
-        let [copy, words] = ["probed depth", "probed pixels"].map(|name| job.zeroed(name, pixels));
-        let counts = job.zeroed("box counts", u64::from(drawn.items.max(1)));
-        Probe { depth: drawn.depth, copy, words, counts }
+impl Boxes {
+    fn new(job: &mut Job, world: &World, stage: &Stage) -> Result<Self> {
+        let instances: Vec<usize> = stage.items.iter().map(|item| item.instance).collect();
+        let boxes = Stage::new(&boxes(world), stage.frame, &instances, Granularity::Instances)?;
+        let all: Vec<usize> = (0..instances.len()).collect();
+        let layers = layers(stage.frame.view.picture, &bounds::of(&boxes), &all, all.len()).unwrap_or_default();
+        let pixels = u64::from(stage.frame.view.picture.pixels());
+        Ok(Boxes {
+            scratch: ["probed depth", "probed pixels", "probed bins"].map(|name| job.zeroed(name, pixels)),
+            counts: job.zeroed("box counts", all.len().max(1) as u64),
+            layers: layers.iter().map(|layer| boxes.layer(layer)).collect(),
+            items: layers.concat(),
+        })
     }
 
-    /// Counts the pixels in which the box of an item is not behind the scene.
-    fn record(&self, queries: &Queries, job: &mut Job, boxes: &World, stage: &Stage, number: u32) -> Result<()> {
-        let picture = stage.frame.view.picture;
-        let instance = stage.items[number as usize].instance;
-        let part = Stage::new(boxes, stage.frame, &[instance], Granularity::Instances)?;
-        let size = 4 * u64::from(picture.pixels());
-        job.record(Command::Copy { from: self.depth.id(), from_offset: 0, to: self.copy.id(), to_offset: 0, size });
-        queries.raster.record_clear(job, picture, self.words)?;
-        let ids = Ids { base: number, step: 0, shift: 31 };
-        for projected in part.project(&queries.raster, job)? {
-            queries.raster.record_depth(job, &projected, Faces::All, self.copy)?;
-            queries.raster.record_items(job, &projected, Faces::All, ids, [self.copy, self.words])?;
+    /// Counts the pixels in which the boxes of a layer are not behind the scene; `first` is where its counts begin.
+    fn record(&self, queries: &Queries, job: &mut Job, drawn: &Drawn, layer: usize, first: usize) -> Result<()> {
+        let pixels = drawn.picture.pixels();
+        let [copy, words, labels] = self.scratch;
+        let (from, to, size) = (drawn.depth.id(), copy.id(), 4 * u64::from(pixels));
+        job.record(Command::Copy { from, from_offset: 0, to, to_offset: 0, size });
+        let probed = self.layers[layer].record_over(&queries.raster, job, [copy, words])?;
+        let bins: Vec<u32> = probed.firsts.iter().map(|place| first as u32 + place).collect();
+        hib::record_labels(queries, job, &probed, 0, &bins, labels)?;
+        let counts = (self.items.len() as u32, self.counts);
+        Ok(queries.histogram.record_counts(job, Order::Memory, (pixels, labels), counts)?)
+    }
+
+    /// Counts all layers; where the recordings of each begin and end.
+    fn record_all(&self, queries: &Queries, job: &mut Job, drawn: &Drawn) -> Result<Vec<Range<usize>>> {
+        let mut first = 0;
+        let mut recordings = Vec::with_capacity(self.layers.len());
+        for (number, layer) in self.layers.iter().enumerate() {
+            pieces::cut(job);
+            let start = job.recordings.len() - 1;
+            self.record(queries, job, drawn, number, first)?;
+            recordings.push(start..job.recordings.len());
+            first += layer.items.len();
         }
-        let bins = stage.items.len() as u32;
-        Ok(queries.histogram.record_counts(job, Order::Memory, (picture.pixels(), self.words), (bins, self.counts))?)
+        Ok(recordings)
+    }
+
+    /// Whether the box of each item of a stage shows a pixel.
+    fn kept(&self, items: usize, counts: &[u32]) -> Vec<bool> {
+        let mut kept = vec![false; items];
+        self.items.iter().zip(counts).for_each(|(item, pixels)| kept[*item] = *pixels > 0);
+        kept
     }
 }
 
-/// Stop and wait: the box of each instance is drawn and its pixels are read back, one instance after the other.
+/// Stop and wait: the boxes are drawn, and the host waits for the count of each instance by itself.
 ///
 /// # Errors
 ///
 /// Whatever the backend refuses.
 pub fn whole_objects(backend: &dyn Backend, world: &World, stage: &Stage) -> Result<Verdict> {
     let queries = Queries::new()?;
-    let boxes = boxes(world);
     let mut job = Job::new();
     let drawn = stage.record(&queries.raster, &mut job)?;
-    let probe = Probe::new(&mut job, &drawn);
-    let mut starts = vec![job.recordings.len()];
-    for number in 0..drawn.items {
-        job.cut();
-        probe.record(&queries, &mut job, &boxes, stage, number)?;
-        starts.push(job.recordings.len());
-    }
+    let scene = 0..job.recordings.len();
+    let boxes = Boxes::new(&mut job, world, stage)?;
+    let layers = boxes.record_all(&queries, &mut job, &drawn)?;
     let mut run = Run::open(backend, &job)?;
-    let draw = run.submit(&job, 0..starts[0], &mut |_| ())?;
+    let draw = run.submit(&job, scene, &mut |_| ())?;
     let mut test = Spent { lane_ops: Some(0), counts: Some(sightlines_backend::Counts::default()), dispatches: 0 };
-    let mut kept = Vec::with_capacity(stage.items.len());
-    for (number, range) in starts.windows(2).enumerate() {
-        test += run.submit(&job, range[0]..range[1], &mut |_| ())?;
-        kept.push(run.read(probe.counts)?[number] > 0);
+    let mut counts = Vec::with_capacity(boxes.items.len());
+    for (range, layer) in layers.into_iter().zip(&boxes.layers) {
+        test += run.submit(&job, range, &mut |_| ())?;
+        for _ in &layer.items {
+            counts.push(run.read(boxes.counts)?[counts.len()]);
+        }
     }
-    Ok(Verdict { read_backs: kept.len(), kept, draw, test })
+    Ok(Verdict { read_backs: counts.len(), kept: boxes.kept(stage.items.len(), &counts), draw, test })
 }
 
 /// Predicated drawing: the counts of boxes stay on the device and set the workgroups of each instance's draw, to none
@@ -111,99 +139,27 @@ pub fn whole_objects(backend: &dyn Backend, world: &World, stage: &Stage) -> Res
 ///
 /// Whatever the backend refuses.
 pub fn predicated(backend: &dyn Backend, world: &World, stage: &Stage) -> Result<(Verdict, Painted)> {
-    let (queries, predicates) = (Queries::new()?, DepthBounds::new()?);
-    let boxes = boxes(world);
+    let queries = Queries::new()?;
     let mut job = Job::new();
     let drawn = stage.record(&queries.raster, &mut job)?;
-    let probe = Probe::new(&mut job, &drawn);
     let first = job.recordings.len();
-    for number in 0..drawn.items {
-        job.cut();
-        probe.record(&queries, &mut job, &boxes, stage, number)?;
-    }
+    let boxes = Boxes::new(&mut job, world, stage)?;
+    boxes.record_all(&queries, &mut job, &drawn)?;
     job.cut();
     let second = job.recordings.len() - 1;
-    let picture = stage.frame.view.picture;
-    let pixels = u64::from(picture.pixels());
-    let [depth, words] = ["depth", "item words"].map(|name| job.zeroed(name, pixels));
-    queries.raster.record_clear(&mut job, picture, depth)?;
-    queries.raster.record_clear(&mut job, picture, words)?;
-    let mut draws = Draws { arguments: job.buffer("arguments", 0), all: Vec::new() };
-    let mut projected = Vec::new();
-    for (number, Item { instance, .. }) in stage.items.iter().enumerate() {
-        let part = Stage::new(world, stage.frame, &[*instance], Granularity::Instances)?;
-        draws.record(&mut job, number as u32, |job| {
-            let on_screen = part.project(&queries.raster, job)?;
-            for mesh in &on_screen {
-                queries.raster.record_depth(job, mesh, stage.faces, depth)?;
-            }
-            projected.push(on_screen);
-            Ok(())
-        })?;
-    }
-    for (number, meshes) in projected.iter().enumerate() {
-        draws.record(&mut job, number as u32, |job| {
-            let ids = Ids { base: number as u32, step: 0, shift: 31 };
-            let each = |mesh| Ok(queries.raster.record_items(job, mesh, stage.faces, ids, [depth, words])?);
-            meshes.iter().try_for_each(each)
-        })?;
-    }
-    draws.predicate(&mut job, &predicates, probe.counts, second)?;
+    let asked: Vec<(usize, u32)> = boxes.items.iter().copied().zip(0..).collect();
+    let [depth, words] = device::record_counted(&queries, &mut job, stage, &asked, (boxes.counts, 0))?;
     let mut run = Run::open(backend, &job)?;
     let draw = run.submit(&job, 0..first, &mut |_| ())?;
     let test = run.submit(&job, first..second, &mut |_| ())?;
     let again = run.submit(&job, second..job.recordings.len(), &mut |_| ())?;
-    let mut kept: Vec<bool> = run.read(probe.counts)?.into_iter().map(|pixels| pixels > 0).collect();
-    kept.truncate(stage.items.len());
-    let instance = |item: u32| stage.items.get(item as usize).map(|item| item.instance);
-    let instances = run.read(words)?.into_iter().map(instance).collect();
-    let painted = Painted { depths: run.read(depth)?, instances, draw: again };
+    let kept = boxes.kept(stage.items.len(), &run.read(boxes.counts)?);
+    let painted = run.painted(stage, [depth, words], again)?;
     Ok((Verdict { kept, draw, test, read_backs: 0 }, painted))
 }
 
-/// Draws whose workgroups come from a buffer.
-struct Draws {
-    arguments: sightlines_backend::BufferId,
-    /// The workgroups that each had, and its object.
-    all: Vec<UVec4>,
-}
-
-impl Draws {
-    /// Makes every dispatch that `record` records depend on an object.
-    fn record(&mut self, job: &mut Job, object: u32, record: impl FnOnce(&mut Job) -> Result<()>) -> Result<()> {
-        let recording = job.recordings.len() - 1;
-        let command = job.recordings[recording].commands.len();
-        record(job)?;
-        for (number, later) in job.recordings[recording..].iter_mut().enumerate() {
-            let from = if number == 0 { command } else { 0 };
-            for command in &mut later.commands[from..] {
-                let Command::Dispatch(dispatch) = command else { continue };
-                let Groups::Direct([x, y, z]) = dispatch.groups else { continue };
-                let offset = 12 * self.all.len() as u64;
-                dispatch.groups = Groups::Indirect { buffer: self.arguments, offset };
-                self.all.push(UVec4::new(x, y, z, object));
-            }
-        }
-        Ok(())
-    }
-
-    /// Writes the workgroups in recordings that come before those from `at` on.
-    fn predicate(&self, job: &mut Job, kernel: &DepthBounds, counts: Buffer<[u32]>, at: usize) -> Result<()> {
-        let end = job.recordings.len();
-        job.cut();
-        let count = self.all.len() as u32;
-        job.buffers[self.arguments.0 as usize].size = 12 * u64::from(count.max(1));
-        let arguments = Buffer::from_raw(self.arguments, 0, job.size(self.arguments));
-        let draws = job.slice("draws", if self.all.is_empty() { &[UVec4::ZERO] } else { &self.all[..] });
-        kernel.record_predicates(job, 0, (count, draws), counts, arguments)?;
-        let predicates: Vec<_> = job.recordings.drain(end..).collect();
-        job.recordings.splice(at..at, predicates);
-        Ok(())
-    }
-}
-
-/// The hierarchical depth buffer or N-buffers: the rectangle and least depth of each instance against the greatest depth
-/// around it.
+/// The hierarchical depth buffer or N-buffers: the rectangle and least depth of each instance against the greatest
+/// depth around it.
 ///
 /// # Errors
 ///
@@ -221,7 +177,8 @@ pub fn depth_tests(backend: &dyn Backend, stage: &Stage, form: Form) -> Result<V
     let nearest: Vec<u32> = asked.iter().map(|item| bounds[*item].nearest).chain([0]).collect();
     let (rectangles, nearest) = (job.slice("rectangles", &rectangles), job.slice("nearest", &nearest));
     let hidden = job.zeroed("hidden", asked.len() as u64 + 1);
-    kernel.record_tests(&mut job, &levels, Boxes { count: asked.len() as u32, rectangles, nearest }, hidden)?;
+    let boxes = depth_bounds::Boxes { count: asked.len() as u32, rectangles, nearest };
+    kernel.record_tests(&mut job, &levels, boxes, hidden)?;
     let mut run = Run::open(backend, &job)?;
     let draw = run.submit(&job, 0..boundary, &mut |_| ())?;
     let test = run.submit(&job, boundary..job.recordings.len(), &mut |_| ())?;

@@ -33,8 +33,8 @@ pub fn of(stage: &Stage) -> Vec<Bounds> {
     stage.batches.iter().flat_map(bounds).collect()
 }
 
-/// Least and greatest of the points on the screen, in 1/16 pixel, along x, y, x + y and x - y, and the least depth; none
-/// where no vertex is in front.
+/// Least and greatest of the points on the screen, in 1/16 pixel, along x, y, x + y and x - y, and the least depth;
+/// none where no vertex is in front.
 pub(super) struct Extent {
     low: [i64; 4],
     high: [i64; 4],

@@ -1,9 +1,10 @@
 //! Displacement culling: prisms of a displaced mesh that show no pixel are not extruded.
 //!
-//! Engelhardt and Dachsbacher, section 4.2 and table 3. Every triangle of the mesh spans a prism up to `height` along the
-//! normals of its vertices, and the displaced surface lies in the prisms. A first pass draws a hull that encloses it, the
-//! mesh with its vertices moved out by somewhat more than `height`; a prism is extruded where a pixel of the hull is seen
-//! within its rectangle on the screen, by a table, or in a tile that the rectangle meets, by the item buffer.
+//! Engelhardt and Dachsbacher, section 4.2 and table 3. Every triangle of the mesh spans a prism up to `height` along
+//! the normals of its vertices, and the displaced surface lies in the prisms. A first pass draws a hull that encloses
+//! it, the mesh with its vertices moved out by somewhat more than `height`; a prism is extruded where a pixel of the
+//! hull is seen within its rectangle on the screen, by a table, or in a tile that the rectangle meets, by the item
+//! buffer.
 
 use glam::UVec4;
 use sightlines_backend::{Backend, Job};

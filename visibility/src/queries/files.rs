@@ -1,7 +1,7 @@
 //! Answers in files: JSON and CSV for tables, a heat map for the eye, and the visible set for programs.
 //!
-//! What is written depends on the scene, the camera and the method alone, never on the machine. The visible set is binary,
-//! little-endian; offsets and sizes in bytes:
+//! What is written depends on the scene, the camera and the method alone, never on the machine. The visible set is
+//! binary, little-endian; offsets and sizes in bytes:
 //!
 //! | offset | size | what |
 //! |---|---|---|
@@ -21,6 +21,7 @@ use sightlines_backend::CONTRACT_VERSION;
 use sightlines_kernels::raster::NOTHING;
 
 use super::Answer;
+use super::picture::BACKGROUND;
 use crate::error::{Place, Result};
 use crate::input;
 use crate::output;
@@ -47,8 +48,8 @@ pub struct View {
     pub size: [u32; 2],
     /// The counts.
     pub answer: Answer,
-    /// Pixels that each item would show with nothing in front; none where items are clusters.
-    pub covered: Option<Vec<u32>>,
+    /// Pixels that each item would show with nothing in front, of those for which that is known.
+    pub covered: Vec<Option<u32>>,
 }
 
 /// A row of a report.
@@ -64,7 +65,7 @@ pub struct Row {
     pub cluster: u32,
     /// Pixels counted.
     pub pixels: u32,
-    /// Pixels that it would show with nothing in front.
+    /// Pixels that it would show with nothing in front, if that is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub covered: Option<u32>,
     /// Pixels in each tile, rows of tiles from the top.
@@ -96,7 +97,7 @@ impl View {
                 mesh: world.meshes[instance.mesh].name.clone(),
                 cluster: item.cluster,
                 pixels: self.answer.totals[number],
-                covered: self.covered.as_ref().map(|covered| covered[number]),
+                covered: self.covered[number],
                 tiles: self.answer.tiles_of(number).to_vec(),
             }
         };
@@ -175,9 +176,6 @@ fn quoted(text: &str) -> String {
 /// Colours of the heat map at 0, 1/4, … 1 of visible share: those of the palette viridis.
 const HEAT: [[i32; 3]; 5] = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];
 
-/// Where nothing is.
-const BACKGROUND: [u8; 3] = [24, 24, 24];
-
 /// The colour of a share in 1/65536.
 fn heat(share: u32) -> [u8; 3] {
     let place = share.min(65_536) * 4;
@@ -186,18 +184,17 @@ fn heat(share: u32) -> [u8; 3] {
     [0, 1, 2].map(|i| (a[i] + (((b[i] - a[i]) * rest as i32) >> 16)) as u8)
 }
 
-/// Writes a picture of a view in which the colour of a pixel is the visible share of its instance: violet where little of
-/// it is seen, yellow where all is. Where items are clusters, it is the share of the picture's busiest cluster.
+/// Writes a picture of a view in which the colour of a pixel is the visible share of its instance: violet where little
+/// of it is seen, yellow where all is. Where that is not known, as of clusters, it is the share of the busiest item.
 ///
 /// # Errors
 ///
 /// A file that cannot be written; then nothing of it is left.
 pub fn write_heat_map(path: &Path, view: &View) -> Result<()> {
     let most = view.answer.totals.iter().copied().max().unwrap_or(0).max(1);
-    let busiest = vec![most; view.answer.totals.len()];
-    let whole = view.covered.as_ref().unwrap_or(&busiest);
+    let share = |(item, covered): (usize, &Option<u32>)| view.answer.share(item, covered.unwrap_or(most));
     let colours: Vec<[u8; 3]> =
-        (0..whole.len()).map(|item| view.answer.share(item, whole).map_or(BACKGROUND, heat)).collect();
+        view.covered.iter().enumerate().map(share).map(|share| share.map_or(BACKGROUND, heat)).collect();
     let colour = |item: &u32| if *item == NOTHING { BACKGROUND } else { colours[*item as usize] };
     let pixels: Vec<u8> = view.answer.shown.iter().flat_map(colour).collect();
     write_rgb(path, view.size, &pixels)

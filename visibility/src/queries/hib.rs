@@ -3,6 +3,7 @@
 use sightlines_backend::Job;
 use sightlines_backend::host::Buffer;
 use sightlines_kernels::item_histogram::{INSTANCE_BITS, MAX_ITEMS, Order, Tiling};
+use sightlines_kernels::raster::Picture;
 
 use super::{Counts, Drawn, Queries};
 use crate::error::{Place, Result};
@@ -23,6 +24,7 @@ pub(super) fn record_weighted(
     queries: &Queries,
     job: &mut Job,
     drawn: &Drawn,
+    order: Order,
     weights: Buffer<[u32]>,
     depth: u32,
 ) -> Result<Counts> {
@@ -30,7 +32,7 @@ pub(super) fn record_weighted(
     let labels = labels(queries, job, drawn, depth)?;
     let tiles = job.zeroed("tile weights", u64::from(bins.max(1)));
     let pixels = drawn.picture.pixels();
-    queries.histogram.record_weights(job, Order::Memory, (pixels, [labels, weights]), (bins, tiles))?;
+    queries.histogram.record_weights(job, order, (pixels, [labels, weights]), (bins, tiles))?;
     counts(queries, job, drawn.items, depth, tiles)
 }
 
@@ -61,7 +63,7 @@ pub(super) fn labels(queries: &Queries, job: &mut Job, drawn: &Drawn, depth: u32
     labels_from(queries, job, drawn, depth, &bases)
 }
 
-/// The bin of every pixel, from the first bin of every batch.
+/// The bin of every pixel at a depth, from the first bin of every batch.
 pub(super) fn labels_from(
     queries: &Queries,
     job: &mut Job,
@@ -69,10 +71,28 @@ pub(super) fn labels_from(
     depth: u32,
     bases: &[u32],
 ) -> Result<Buffer<[u32]>> {
-    let width = drawn.picture.width;
-    let tiling = Tiling { width, height: drawn.picture.height, depth };
-    let base = job.slice("first bins", if bases.is_empty() { &[0] } else { bases });
     let labels = job.zeroed("bins of pixels", u64::from(drawn.picture.pixels()));
-    queries.histogram.record_labels(job, tiling, (drawn.words, INSTANCE_BITS), base, labels)?;
+    record_labels(queries, job, drawn, depth, bases, labels)?;
     Ok(labels)
+}
+
+/// The same in a buffer that is there.
+pub(super) fn record_labels(
+    queries: &Queries,
+    job: &mut Job,
+    drawn: &Drawn,
+    depth: u32,
+    bases: &[u32],
+    labels: Buffer<[u32]>,
+) -> Result<()> {
+    let Picture { width, height } = drawn.picture;
+    let base = job.slice("first bins", if bases.is_empty() { &[0] } else { bases });
+    queries.histogram.record_labels(
+        job,
+        Tiling { width, height, depth },
+        (drawn.words, INSTANCE_BITS),
+        base,
+        labels,
+    )?;
+    Ok(())
 }

@@ -13,13 +13,16 @@ mod answer;
 pub mod baselines;
 pub mod bounds;
 pub mod detail;
+pub mod device;
 pub mod displacement;
 pub mod files;
 mod hib;
+pub mod picture;
 mod sat;
 pub mod shadow_volumes;
 pub mod share;
 mod stage;
+pub mod transparency;
 
 use glam::UVec4;
 use sightlines_backend::Job;
@@ -122,12 +125,12 @@ impl Queries {
     pub fn record(&self, job: &mut Job, stage: &Stage, drawn: &Drawn, method: Method, depth: u32) -> Result<Counts> {
         match method {
             Method::Hib { order } => hib::record(self, job, drawn, order, depth),
-            Method::Sat { channels, limit } => sat::record(self, job, stage, drawn, channels, limit, depth),
+            Method::Sat { channels, limit } => sat::record(self, job, stage, drawn, (channels, limit), None, depth),
         }
     }
 
-    /// Counts the pixels of one item in half-open rectangles (x0, y0, x1, y1) of the picture, a word each, by one table:
-    /// exact, since a single item shares its channel with none.
+    /// Counts the pixels of one item in half-open rectangles (x0, y0, x1, y1) of the picture, a word each, by one
+    /// table: exact, since a single item shares its channel with none.
     ///
     /// # Errors
     ///
@@ -144,12 +147,25 @@ impl Queries {
 
     /// Adds the weights of all pixels of each item, modulo 2^32, in the picture and in its 2^depth by 2^depth tiles:
     /// `weights` has a word a pixel, as a picture of how much a blocker lets through or a viewer cares. By the item
-    /// buffer, so exact.
+    /// buffer the sums are exact, by tables never less where they fit 32 bits.
     ///
     /// # Errors
     ///
     /// Those of [`Queries::record`], and weights that are not one a pixel.
-    pub fn record_weighted(&self, job: &mut Job, drawn: &Drawn, weights: Buffer<[u32]>, depth: u32) -> Result<Counts> {
-        hib::record_weighted(self, job, drawn, weights, depth)
+    pub fn record_weighted(
+        &self,
+        job: &mut Job,
+        stage: &Stage,
+        drawn: &Drawn,
+        weights: Buffer<[u32]>,
+        method: Method,
+        depth: u32,
+    ) -> Result<Counts> {
+        match method {
+            Method::Hib { order } => hib::record_weighted(self, job, drawn, order, weights, depth),
+            Method::Sat { channels, limit } => {
+                sat::record(self, job, stage, drawn, (channels, limit), Some(weights), depth)
+            }
+        }
     }
 }

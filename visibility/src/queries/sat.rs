@@ -21,8 +21,8 @@ pub(super) fn record(
     job: &mut Job,
     stage: &Stage,
     drawn: &Drawn,
-    channels: u32,
-    limit: Option<u32>,
+    (channels, limit): (u32, Option<u32>),
+    weights: Option<Buffer<[u32]>>,
     depth: u32,
 ) -> Result<Counts> {
     let shape = shape(stage, drawn.picture, channels, limit)?;
@@ -36,7 +36,7 @@ pub(super) fn record(
     for tile in tiles(shape, depth).filter(|_| depth > 0) {
         sums.push(Sum { asked: asked(job, tile, drawn.items), sums: job.zeroed("tile counts", words) });
     }
-    sum_channels(queries, job, &regions, items, shape, &sums)?;
+    sum_channels(queries, job, &regions, (items, weights), shape, &sums)?;
     let tiles = if depth == 0 { totals } else { gather(job, &sums[1..], drawn.items) };
     Ok(Counts { items: drawn.items, depth, totals, tiles, item_step: 1, tile_step: drawn.items })
 }
@@ -92,12 +92,12 @@ fn asked(job: &mut Job, tile: UVec4, items: u32) -> Buffer<[UVec4]> {
     job.slice("query rectangles", &vec![tile; items.max(1) as usize])
 }
 
-/// Paints, sums and counts all channels, as many at once as fit a binding.
+/// Paints ones, or weights, sums and counts all channels, as many at once as fit a binding.
 fn sum_channels(
     queries: &Queries,
     job: &mut Job,
     regions: &Regions,
-    items: Buffer<[u32]>,
+    (items, weights): (Buffer<[u32]>, Option<Buffer<[u32]>>),
     shape: Shape,
     sums: &[Sum],
 ) -> Result<()> {
@@ -106,7 +106,12 @@ fn sum_channels(
     let [images, tables] = ["channels", "tables"].map(|name| job.zeroed(name, most * extent.pixels()));
     for first in (0..shape.channels).step_by(most as usize) {
         let channels = first..shape.channels.min(first + most as u32);
-        queries.region_sets.record_paint(job, regions, channels.clone(), items, images)?;
+        match weights {
+            None => queries.region_sets.record_paint(job, regions, channels.clone(), items, images)?,
+            Some(weights) => {
+                queries.region_sets.record_paint_weights(job, regions, channels.clone(), [items, weights], images)?;
+            }
+        }
         queries.sat.record(job, (extent, channels.len() as u32), images, tables)?;
         for Sum { asked, sums } in sums {
             queries.region_sets.record_count(job, regions, channels.clone(), [tables, *sums], *asked)?;

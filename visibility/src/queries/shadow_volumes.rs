@@ -1,4 +1,5 @@
-//! Shadow-volume culling: instances without a lit pixel from the light cast no shadow of their own, and are not extruded.
+//! Shadow-volume culling: instances without a lit pixel from the light cast no shadow of their own, and are not
+//! extruded.
 //!
 //! Engelhardt and Dachsbacher, section 4.1 and table 1. The light's view is drawn and counted once; casters that are
 //! counted keep their volumes. What is lost is nothing at the resolution of that view: an instance that shows no pixel

@@ -10,17 +10,21 @@ use std::sync::Arc;
 use glam::IVec4;
 use sightlines_backend::Job;
 use sightlines_backend::host::Buffer;
+use sightlines_kernels::pieces;
 use sightlines_kernels::raster::{self, Faces, Ids, MAX_POINTS, Picture, Placement, Raster};
 
 use crate::error::{Place, Result};
-use crate::scene::World;
 use crate::scene::frame::{Frame, Snapped};
+use crate::scene::{Mesh, World};
 
 /// Items of a batch: 16 bits of the word of a pixel.
 const BATCH_ITEMS: usize = 1 << 16;
 
 /// Most batches: the other 16 bits, without the word of a pixel that shows nothing.
 const MAX_BATCHES: usize = (1 << 16) - 1;
+
+/// Most batches of a recording, so that scenes of many meshes run in steps too.
+const RECORDED_BATCHES: usize = 64;
 
 /// What an item is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -102,43 +106,64 @@ impl Stage {
     pub fn new(world: &World, frame: Frame, instances: &[usize], granularity: Granularity) -> Result<Self> {
         let shift = granularity.shift();
         let mut stage = Stage { frame, faces: Faces::All, items: Vec::new(), batches: Vec::new(), shift };
-        for (number, mesh) in world.meshes.iter().enumerate() {
-            let users: Vec<usize> = instances.iter().copied().filter(|i| world.instances[*i].mesh == number).collect();
-            if users.is_empty() || mesh.triangles.is_empty() {
-                continue;
-            }
-            let step = ((mesh.triangles.len() - 1) >> shift) + 1;
-            let most = (MAX_POINTS as usize / mesh.vertices.len().max(1)).min(BATCH_ITEMS / step);
-            if most == 0 {
-                let (vertices, triangles) = (mesh.vertices.len(), mesh.triangles.len());
-                let what = format!("{vertices} vertices and {triangles} triangles in {step} items");
-                let remedy = format!(
-                    "split the mesh below {MAX_POINTS} vertices, and choose larger clusters: at most {BATCH_ITEMS} items"
-                );
-                return Err(Place::default().element(format!("mesh `{}`", mesh.name)).error(what, remedy));
-            }
-            let snapped = Snapped::of(mesh);
-            let (vertices, triangles) = (snapped.vertices.into(), mesh.triangles.clone().into());
-            for part in users.chunks(most) {
-                let place = |i: &usize| frame.placement(&world.instances[*i].transform.then(&snapped.to_mesh));
-                stage.batches.push(Batch {
-                    vertices: Arc::clone(&vertices),
-                    triangles: Arc::clone(&triangles),
-                    placements: part.iter().map(place).collect::<Result<_>>()?,
-                    first: stage.items.len() as u32,
-                    step: step as u32,
-                });
-                let clusters = |i: &usize| (0..step as u32).map(|cluster| (*i, cluster)).collect::<Vec<_>>();
-                stage
-                    .items
-                    .extend(part.iter().flat_map(clusters).map(|(instance, cluster)| Item { instance, cluster }));
-            }
+        let mut by_mesh = instances.to_vec();
+        by_mesh.sort_by_key(|instance| world.instances[*instance].mesh);
+        for users in by_mesh.chunk_by(|a, b| world.instances[*a].mesh == world.instances[*b].mesh) {
+            stage.add(world, &world.meshes[world.instances[users[0]].mesh], users)?;
         }
         if stage.batches.len() > MAX_BATCHES {
             let what = format!("{} batches of instances, at most {MAX_BATCHES} are drawn", stage.batches.len());
             return Err(Place::default().element("scene").error(what, "join its meshes, or choose larger clusters"));
         }
         Ok(stage)
+    }
+
+    /// Adds the instances of a mesh, in batches.
+    fn add(&mut self, world: &World, mesh: &Mesh, users: &[usize]) -> Result<()> {
+        if mesh.triangles.is_empty() {
+            return Ok(());
+        }
+        let step = ((mesh.triangles.len() - 1) >> self.shift) + 1;
+        let most = (MAX_POINTS as usize / mesh.vertices.len().max(1)).min(BATCH_ITEMS / step);
+        if most == 0 {
+            let (vertices, triangles) = (mesh.vertices.len(), mesh.triangles.len());
+            let what = format!("{vertices} vertices and {triangles} triangles in {step} items");
+            let remedy = format!(
+                "split the mesh below {MAX_POINTS} vertices, and choose larger clusters: at most {BATCH_ITEMS} items"
+            );
+            return Err(Place::default().element(format!("mesh `{}`", mesh.name)).error(what, remedy));
+        }
+        let snapped = Snapped::of(mesh);
+        let (vertices, triangles) = (snapped.vertices.into(), mesh.triangles.clone().into());
+        for part in users.chunks(most) {
+            let place = |i: &usize| self.frame.placement(&world.instances[*i].transform.then(&snapped.to_mesh));
+            self.batches.push(Batch {
+                vertices: Arc::clone(&vertices),
+                triangles: Arc::clone(&triangles),
+                placements: part.iter().map(place).collect::<Result<_>>()?,
+                first: self.items.len() as u32,
+                step: step as u32,
+            });
+            let clusters = |i: &usize| (0..step as u32).map(|cluster| (*i, cluster)).collect::<Vec<_>>();
+            self.items.extend(part.iter().flat_map(clusters).map(|(instance, cluster)| Item { instance, cluster }));
+        }
+        Ok(())
+    }
+
+    /// The stage with those of its instances alone that `keeps`, by their places in the world; it draws them as before.
+    pub fn part(&self, keeps: impl Fn(usize) -> bool) -> Self {
+        let mut part = Stage { items: Vec::new(), batches: Vec::new(), ..*self };
+        for batch in &self.batches {
+            let (first, step) = (batch.first as usize, batch.step as usize);
+            let items = |n: usize| &self.items[first + n * step..first + (n + 1) * step];
+            let kept: Vec<usize> = (0..batch.placements.len()).filter(|n| keeps(items(*n)[0].instance)).collect();
+            if !kept.is_empty() {
+                let placements = kept.iter().map(|n| batch.placements[*n]).collect();
+                part.batches.push(Batch { placements, first: part.items.len() as u32, ..batch.clone() });
+                part.items.extend(kept.iter().flat_map(|n| items(*n)));
+            }
+        }
+        part
     }
 
     /// All instances of a world before a camera, as whole instances.
@@ -168,15 +193,27 @@ impl Stage {
     /// What the raster refuses.
     pub fn record(&self, raster: &Raster, job: &mut Job) -> Result<Drawn> {
         let picture = self.frame.view.picture;
-        let pixels = u64::from(picture.pixels());
-        let [depth, words] = ["depth", "item words"].map(|name| job.zeroed(name, pixels));
+        let [depth, words] = ["depth", "item words"].map(|name| job.zeroed(name, u64::from(picture.pixels())));
         raster.record_clear(job, picture, depth)?;
+        self.record_over(raster, job, [depth, words])
+    }
+
+    /// Draws the stage over depths that are there already, and its items anew.
+    pub(super) fn record_over(
+        &self,
+        raster: &Raster,
+        job: &mut Job,
+        [depth, words]: [Buffer<[u32]>; 2],
+    ) -> Result<Drawn> {
+        let picture = self.frame.view.picture;
         raster.record_clear(job, picture, words)?;
         let projected = self.project(raster, job)?;
-        for mesh in &projected {
+        for (number, mesh) in projected.iter().enumerate() {
+            begin(job, number);
             raster.record_depth(job, mesh, self.faces, depth)?;
         }
         for (number, (mesh, batch)) in projected.iter().zip(&self.batches).enumerate() {
+            begin(job, number);
             let ids = Ids { base: (number as u32) << 16, step: batch.step, shift: self.shift };
             raster.record_items(job, mesh, self.faces, ids, [depth, words])?;
         }
@@ -187,11 +224,19 @@ impl Stage {
     /// Puts the vertices of every batch on the screen.
     pub(super) fn project(&self, raster: &Raster, job: &mut Job) -> Result<Vec<raster::Projected>> {
         let mut projected = Vec::with_capacity(self.batches.len());
-        for batch in &self.batches {
+        for (number, batch) in self.batches.iter().enumerate() {
+            begin(job, number);
             let mesh = batch.upload(job);
             projected.push(raster.project(job, self.frame.view, mesh)?);
         }
         Ok(projected)
+    }
+}
+
+/// Begins a recording where enough batches are in the last one.
+fn begin(job: &mut Job, batch: usize) {
+    if batch.is_multiple_of(RECORDED_BATCHES) {
+        pieces::cut(job);
     }
 }
 

@@ -39,10 +39,11 @@ pub(super) fn view(view: &View, world: &World, near: f64, costs: bool, out: &mut
     let mut rows = view.rows(world);
     rows.retain(|row| row.pixels > 0);
     rows.sort_by_key(|row| (std::cmp::Reverse(row.pixels), row.instance, row.cluster));
-    table(&rows, out)
+    let clusters = answer.items.iter().any(|item| item.cluster > 0);
+    table(&rows, clusters, out)
 }
 
-fn table(rows: &[Row], out: &mut dyn Write) -> Result<(), Failure> {
+fn table(rows: &[Row], clusters: bool, out: &mut dyn Write) -> Result<(), Failure> {
     writeln!(out, "{:>10} {:>10} {:>7} {:>6}  name", "pixels", "covered", "share", "tiles")?;
     for row in rows.iter().take(ROWS) {
         let share = row.covered.filter(|covered| *covered > 0);
@@ -52,7 +53,7 @@ fn table(rows: &[Row], out: &mut dyn Write) -> Result<(), Failure> {
         let tiles = row.tiles.iter().filter(|pixels| **pixels > 0).count();
         let share = share.unwrap_or_else(|| "-".to_owned());
         let name = if row.name.is_empty() { format!("instance {}", row.instance) } else { row.name.clone() };
-        let cluster = if row.covered.is_none() { format!(", cluster {}", row.cluster) } else { String::new() };
+        let cluster = if clusters { format!(", cluster {}", row.cluster) } else { String::new() };
         writeln!(out, "{:>10} {covered:>10} {share:>7} {tiles:>6}  {name}{cluster}", row.pixels)?;
     }
     if rows.len() > ROWS {
