@@ -15,7 +15,7 @@ use sightlines_visibility::queries::picture::{Pixels, beside};
 use sightlines_visibility::scene::{Camera, World, creature_in_hall, crowd, load_world};
 
 use super::cli::{Axis, MachineArgs};
-use super::queries::{camera, size, world};
+use super::queries::{MethodName, camera, size, world};
 use super::{Failure, machine, targets};
 
 /// Printed behind the options.
@@ -61,7 +61,7 @@ pub(crate) struct CullArgs {
     size: Picture,
     /// How pixels are counted.
     #[arg(long, value_enum, default_value = "hib")]
-    method: Counting,
+    method: MethodName,
     /// Count in 2^T by 2^T tiles (prisms, hib).
     #[arg(long, value_name = "T", default_value = "5", value_parser = clap::value_parser!(u32).range(0..=8))]
     tiles: u32,
@@ -89,20 +89,11 @@ enum What {
     Veils,
 }
 
-/// A method by name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Counting {
-    /// The hierarchical item buffer.
-    Hib,
-    /// Summed-area tables.
-    Sat,
-}
-
 impl CullArgs {
     fn method(&self) -> Method {
         match self.method {
-            Counting::Hib => Method::HIB,
-            Counting::Sat => Method::SAT,
+            MethodName::Hib => Method::HIB,
+            MethodName::Sat => Method::SAT,
         }
     }
 
@@ -146,7 +137,7 @@ struct Found {
 /// Culls, reports and writes.
 pub(crate) fn run(args: &CullArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let world = args.world()?;
-    targets::check(args.model.as_deref(), args.picture.as_deref())?;
+    targets::check(args.picture.as_deref())?;
     let backend = machine::open(&args.machine, false)?;
     writeln!(out, "scene      {}: {} triangles", world.name, world.triangle_count())?;
     let reading = if args.method().is_exact() { "exact" } else { "never fewer than are visible" };

@@ -107,7 +107,7 @@ struct Source {
 
 /// A method by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum MethodName {
+pub(crate) enum MethodName {
     /// The hierarchical item buffer.
     Hib,
     /// Summed-area tables.
@@ -172,7 +172,8 @@ impl QueriesArgs {
         if let Some(count) = self.orbit
             && let Some(last) = cameras.pop()
         {
-            cameras.extend(last.orbit(middle(world), self.up.vector(), count)?);
+            let middle = extents(world).map(|[low, high]| 0.5 * low + 0.5 * high);
+            cameras.extend(last.orbit(middle, self.up.vector(), count)?);
         }
         Ok(cameras)
     }
@@ -198,14 +199,14 @@ impl QueriesArgs {
     }
 }
 
-/// The middle of the scene's box.
-fn middle(world: &World) -> [f64; 3] {
+/// Least and greatest coordinates of the scene's box along each axis.
+pub(crate) fn extents(world: &World) -> [[f64; 2]; 3] {
     let corners = world.corners();
     let range = |axis: usize| {
         let along = || corners.as_flattened().iter().map(|corner| corner[axis]);
-        (along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max))
+        [along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max)]
     };
-    [0, 1, 2].map(range).map(|(low, high)| 0.5 * low + 0.5 * high)
+    [0, 1, 2].map(range)
 }
 
 /// A camera of the scene by name, or from its words.

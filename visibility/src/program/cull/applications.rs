@@ -12,6 +12,7 @@ use sightlines_visibility::scene::{Camera, World, ball_levels, creature_field};
 
 use super::{CullArgs, Found};
 use crate::program::Failure;
+use crate::program::queries::extents;
 
 const GREY: [u8; 3] = [150, 150, 150];
 const ORANGE: [u8; 3] = [240, 150, 60];
@@ -42,15 +43,10 @@ fn panel(
 
 /// The camera's eye lifted high over what it looks at.
 fn from_above(args: &CullArgs, world: &World, camera: &Camera) -> Result<Camera> {
-    let corners = world.corners();
-    let range = |axis: usize| {
-        let along = || corners.as_flattened().iter().map(|corner| corner[axis]);
-        [along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max)]
-    };
-    let [x, y, z] = [0, 1, 2].map(range);
-    let middle = [x, y, z].map(|[low, high]| 0.5 * (low + high));
+    let extents = extents(world);
+    let middle = extents.map(|[low, high]| 0.5 * low + 0.5 * high);
     let up = args.up.vector();
-    let widest = [x, y, z].iter().map(|[low, high]| high - low).fold(0.0, f64::max);
+    let widest = extents.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
     let eye = [0, 1, 2].map(|axis| middle[axis] + 1.1 * widest * up[axis] - 0.6 * widest * camera.forward[axis]);
     Camera::look_at("above", eye, middle, up, camera.lens)
 }
@@ -197,39 +193,40 @@ pub(super) fn detail(args: &CullArgs, backend: &dyn Backend, mut world: World) -
     }
     let panels = match (&args.picture, &coarse) {
         (None, _) => Vec::new(),
-        (Some(_), None) => levels_panels(args, backend, (&world, &camera), (&world, &shown), |_| ORANGE)?,
-        (Some(_), Some((chosen, _, meshes))) => {
+        (Some(_), None) => {
+            let instances = shown.iter().map(|instance| world.instances[*instance].clone()).collect();
+            let drawn = World { instances, ..world.clone() };
+            levels_panels(args, backend, (&world, &camera), (&drawn, &shown), |_| ORANGE)?
+        }
+        (Some(_), Some((chosen, places, meshes))) => {
             let colours = [ORANGE, YELLOW, GREEN];
             let level = |mesh: usize| meshes.iter().position(|m| *m == mesh).map_or(GREY, |level| colours[level]);
-            let all: Vec<usize> = (0..chosen.instances.len()).collect();
-            levels_panels(args, backend, (&world, &camera), (chosen, &all), level)?
+            levels_panels(args, backend, (&world, &camera), (chosen, places), level)?
         }
     };
     Ok(Found { lines, panels })
 }
 
-/// What is drawn, from the camera; and the whole scene from above, in which what is not drawn is blue.
+/// What is drawn, from the camera; and the whole scene from above, in which what is not drawn is blue. `places` are those
+/// of the drawn instances in the whole scene.
 fn levels_panels(
     args: &CullArgs,
     backend: &dyn Backend,
     (world, camera): (&World, &Camera),
-    (drawn, instances): (&World, &[usize]),
+    (drawn, places): (&World, &[usize]),
     level: impl Fn(usize) -> [u8; 3],
 ) -> Result<Vec<Pixels>> {
-    let first = panel(args, backend, drawn, (camera, instances), |instance, _| level(drawn.instances[instance].mesh))?;
-    // The culled stand behind those that are drawn, in a scene of both.
-    let mut both =
-        World { instances: instances.iter().map(|i| drawn.instances[*i].clone()).collect(), ..drawn.clone() };
-    let kept = both.instances.len();
-    let known = |name: &str, at: [f64; 3]| {
-        instances.iter().any(|i| drawn.instances[*i].name == name && drawn.instances[*i].transform.0[3] == at)
-    };
-    let culled = world.instances.iter().filter(|instance| !known(&instance.name, instance.transform.0[3]));
-    both.instances.extend(culled.cloned());
-    let all: Vec<usize> = (0..both.instances.len()).collect();
+    let kept = drawn.instances.len();
+    let all: Vec<usize> = (0..world.instances.len()).collect();
+    let is_kept = members(world, places);
+    let culled = all.iter().filter(|instance| !is_kept[**instance]).map(|instance| world.instances[*instance].clone());
+    let both = World { instances: drawn.instances.iter().cloned().chain(culled).collect(), ..drawn.clone() };
     let paint = |instance: usize, _: usize| if instance < kept { level(both.instances[instance].mesh) } else { BLUE };
     let above = from_above(args, &both, camera)?;
-    Ok(vec![first, panel(args, backend, &both, (&above, &all), paint)?])
+    Ok(vec![
+        panel(args, backend, &both, (camera, &all[..kept]), paint)?,
+        panel(args, backend, &both, (&above, &all), paint)?,
+    ])
 }
 
 pub(super) fn veils(args: &CullArgs, backend: &dyn Backend, world: &World) -> Result<Found, Failure> {
