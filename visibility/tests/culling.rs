@@ -192,5 +192,5 @@ fn what_is_lost_in_smoke_is_culled_and_no_weighted_pixel_changes() {
         }
         kept.push([opaque.len(), before.answer.visible(), left.len()]);
     }
-    assert_eq!(kept, [[201, 0, 0], [201, 0, 0]]);
+    assert_eq!(kept, [[201, 126, 69], [201, 139, 74]]);
 }
