@@ -23,7 +23,7 @@ const BLUE: [u8; 3] = [70, 110, 230];
 const SMOKE: [u8; 3] = [205, 205, 215];
 
 /// How far volumes reach, in distances from the light.
-const REACH: f64 = 3.0;
+const REACH: f64 = 1.0;
 /// Height of the creature's relief.
 const HEIGHT: f64 = 0.06;
 /// Pixels from which balls have 606 and 168 triangles.
