@@ -9,7 +9,7 @@ use glam::IVec4;
 use sightlines_backend::host::Buffer;
 use sightlines_backend::{Error, Job, Result};
 
-use crate::grid::{Point, Receivers, Triangle, XY, hidden, is_on_grid};
+use crate::grid::{Faces, Point, Receivers, Triangle, XY, is_on_grid};
 use crate::pattern::Pattern;
 
 /// A receiver.
@@ -117,9 +117,20 @@ impl Field {
         job.slice("receivers", &words)
     }
 
-    /// The mask of samples that any of `triangles` hides from a receiver, by [`hidden`] alone: empty where it is none.
+    /// The mask of samples that any of `triangles` hides from a receiver, by [`Faces::hide`] alone: empty where it is none.
     pub fn hidden_set<'a>(
         &self,
+        receiver: u32,
+        pattern: &Pattern,
+        triangles: impl IntoIterator<Item = &'a Triangle>,
+    ) -> Vec<u32> {
+        self.hidden_set_by(Faces::Both, receiver, pattern, triangles)
+    }
+
+    /// The same of triangles that hide by `faces`.
+    pub fn hidden_set_by<'a>(
+        &self,
+        faces: Faces,
         receiver: u32,
         pattern: &Pattern,
         triangles: impl IntoIterator<Item = &'a Triangle>,
@@ -130,7 +141,7 @@ impl Field {
         for triangle in triangles.into_iter().filter(|_| samples(&at)) {
             for sample in 0..pattern.count() {
                 let [x, y, _] = pattern.at(sample);
-                let bit = u32::from(hidden(at, [x + shift[0], y + shift[1], 0], triangle));
+                let bit = u32::from(faces.hide(at, [x + shift[0], y + shift[1], 0], triangle));
                 mask[(sample / pattern.bits()) as usize] |= bit << (sample % pattern.bits());
             }
         }

@@ -9,7 +9,8 @@
 //!   (an antisymmetric rule: of two triangles that share an edge from opposite sides exactly one owns the sample);
 //! * S and R lie strictly on opposite sides of T's own plane.
 //!
-//! A triangle whose plane holds R hides nothing. Kernels only *evaluate* this; nothing is clipped or snapped again.
+//! A triangle whose plane holds R hides nothing. Of a one-sided triangle ([`Faces::Front`]) the front counts alone: S must
+//! see its vertices counter-clockwise. Kernels only *evaluate* this; nothing is clipped or snapped again.
 //! [`hidden`] is the definition in i128, without any thought of speed: it is the oracle of every kernel that makes masks.
 
 use std::ops::{Mul, Sub};
@@ -297,8 +298,41 @@ pub fn hidden(receiver: Point, sample: Point, triangle: &Triangle) -> bool {
     inner && receiver_side * sample_side < 0
 }
 
+/// Which faces of a triangle hide.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Faces {
+    /// Either face.
+    #[default]
+    Both,
+    /// The one from which its vertices are seen counter-clockwise.
+    Front,
+}
+
+impl Faces {
+    /// The definition of triangles that count from these faces: whether `triangle` hides `sample` from `receiver`.
+    pub fn hide(self, receiver: Point, sample: Point, triangle: &Triangle) -> bool {
+        hidden(receiver, sample, triangle) && (self == Faces::Both || is_front(sample, triangle))
+    }
+}
+
+/// Whether the vertices of `triangle` are seen counter-clockwise from a point.
+pub fn is_front(from: Point, triangle: &Triangle) -> bool {
+    let normal = cross(minus(triangle[1], triangle[0]), minus(triangle[2], triangle[0]));
+    dot(normal, minus(from, triangle[0])) > 0
+}
+
 /// The mask of samples that any of `triangles` hides from `receiver`, by [`hidden`] alone.
 pub fn hidden_set<'a>(
+    receiver: Point,
+    samples: &Samples,
+    triangles: impl IntoIterator<Item = &'a Triangle>,
+) -> Vec<u32> {
+    hidden_set_by(Faces::Both, receiver, samples, triangles)
+}
+
+/// The mask of samples that `faces` of any of `triangles` hide from `receiver`, by [`Faces::hide`] alone.
+pub fn hidden_set_by<'a>(
+    faces: Faces,
     receiver: Point,
     samples: &Samples,
     triangles: impl IntoIterator<Item = &'a Triangle>,
@@ -306,7 +340,7 @@ pub fn hidden_set<'a>(
     let mut mask = vec![0; samples.words() as usize];
     for triangle in triangles {
         for sample in 0..samples.count() {
-            let bit = u32::from(hidden(receiver, samples.at(sample), triangle));
+            let bit = u32::from(faces.hide(receiver, samples.at(sample), triangle));
             mask[sample as usize / 32] |= bit << (sample % 32);
         }
     }
@@ -326,6 +360,9 @@ mod tests {
         assert!(!hidden(R, [100, 0, 0], &triangle));
         let [a, b, c] = triangle;
         assert!(hidden(R, [0, 0, 0], &[a, c, b]), "either side of a triangle hides");
+        let hides = |triangle| Faces::Front.hide(R, [0, 0, 0], &triangle);
+        assert_eq!((hides([a, b, c]), hides([a, c, b])), (false, true), "of a one-sided triangle the front alone");
+        assert!(!Faces::Front.hide(R, [100, 0, 0], &[a, c, b]), "and only what stands behind it");
     }
 
     #[test]

@@ -1,10 +1,14 @@
 //! Other methods for the soft shadow that [`crate::shadows`] bakes, on the same grid, machine and scene.
 //!
-//! [`projections`] draws all triangles once from each sample of the light, as Heckbert and Herf do (1997); what it gives
-//! must equal what `bake` gives, bit for bit. [`volumes`] adds up what silhouettes seen from the light's centre hide, as
-//! soft shadow volumes do (Assarsson et al. 2003): too dark where casters stand behind each other, and wrong where another
-//! point of the light sees another silhouette. Eisemann and Décoret, *Visibility Sampling on GPU and Applications*, sections
-//! 8 and 10, compare with both.
+//! [`projections`] draws all triangles once from each sample of the light, as Heckbert and Herf do (1997); what it
+//! gives must equal what `bake` gives, bit for bit. [`volumes`] adds up what silhouettes seen from the light's centre
+//! hide, as soft shadow volumes do (Assarsson et al. 2003): too dark where casters stand behind each other, and wrong
+//! where another point of the light sees another silhouette. [`maps`] adds up what patches of a depth map hide, as soft
+//! shadow maps do, and [`tables`] is the order of the paper itself, with its table of angles and distances. Eisemann
+//! and Décoret, *Visibility Sampling on GPU and Applications*, sections 8 and 10, compare with the first three.
+
+mod maps;
+mod tables;
 
 use std::path::Path;
 
@@ -17,18 +21,21 @@ use crate::error::{Place, Result};
 use crate::output;
 use crate::shadows::compose::{Composed, run};
 use crate::shadows::snap::{Snapped, snap};
-use crate::shadows::{Bake, Request, Work, assemble, upright};
+pub use maps::maps;
+pub use tables::{TABLE_BITS, tables};
+
+use crate::shadows::{Bake, Faces, Request, Work, assemble, upright};
 
 /// Most words of all sets together: 128 MiB, what a binding holds.
 pub const MAX_WORDS: u64 = 1 << 25;
 
-/// What silhouette volumes leave of a light.
+/// What a method that adds up leaves of a light.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Volumes {
-    /// Samples that each texel is said to see, row after row: those that there are less those that are added up, at least
-    /// none and at most all.
+pub struct Added {
+    /// Samples that each texel is said to see, row after row: those that there are less those that are added up, at
+    /// least none and at most all.
     pub visible: Vec<u32>,
-    /// What it took; its pairs are projections of a triangle.
+    /// What it took.
     pub work: Work,
 }
 
@@ -47,6 +54,10 @@ pub struct Run {
     pub method: &'static str,
     /// What it took.
     pub work: Work,
+    /// Part of all samples of all receivers that it has other than sampling; none where it has no sets.
+    pub differ: Option<f64>,
+    /// How far its shares of the light are from those of sampling, in the mean.
+    pub error: f64,
     /// How long it took.
     pub seconds: f64,
 }
@@ -58,11 +69,13 @@ pub struct Run {
 /// A file that cannot be written; then nothing of it is left.
 pub fn write_csv(path: &Path, runs: &[Run]) -> Result<()> {
     output::write(path, |out| {
-        writeln!(out, "resolution,samples,light_side,triangles,method,pairs,lane_ops,seconds")?;
+        writeln!(out, "resolution,samples,light_side,triangles,method,pairs,lane_ops,differ,error,seconds")?;
         runs.iter().try_for_each(|run| {
-            let Run { resolution, samples, light_side, triangles, method, work, seconds } = run;
+            let Run { resolution, samples, light_side, triangles, method, work, differ, error, seconds } = run;
             let ops = work.lane_ops.map_or_else(String::new, |ops| ops.to_string());
-            writeln!(out, "{resolution},{samples},{light_side},{triangles},{method},{},{ops},{seconds:.6}", work.pairs)
+            let differ = differ.map_or_else(String::new, |differ| format!("{differ:.9}"));
+            write!(out, "{resolution},{samples},{light_side},{triangles},{method},{},{ops},", work.pairs)?;
+            writeln!(out, "{differ},{error:.9},{seconds:.6}")
         })
     })
 }
@@ -88,18 +101,18 @@ pub fn projections(backend: &dyn Backend, request: &Request, progress: &mut dyn 
     job.read("visible", counts[1].id());
     let mut work = Work { pairs: pairs(&scene), ..Work::default() };
     let [planes, visible] = run(backend, &job, &mut work, progress)?;
-    let count = receivers as usize;
-    let masks = (0..count).flat_map(|r| (0..words).map(move |w| (w, r))).map(|(w, r)| planes[w * count + r]).collect();
+    let masks = interleaved(&planes, receivers as usize, words);
     progress(1.0);
     Ok(assemble(request, &scene, Composed { masks, visible, work }))
 }
 
-/// Counts by silhouette volumes. Meshes are taken as closed, counter-clockwise as seen from outside.
+/// Counts by silhouette volumes, whose pairs are projections of a triangle. Meshes are taken as closed,
+/// counter-clockwise as seen from outside.
 ///
 /// # Errors
 ///
 /// As [`projections`].
-pub fn volumes(backend: &dyn Backend, request: &Request, progress: &mut dyn FnMut(f32)) -> Result<Volumes> {
+pub fn volumes(backend: &dyn Backend, request: &Request, progress: &mut dyn FnMut(f32)) -> Result<Added> {
     let scene = snapped(request)?;
     let mut job = Job::new();
     let given = upload(&mut job, &scene);
@@ -113,7 +126,12 @@ pub fn volumes(backend: &dyn Backend, request: &Request, progress: &mut dyn FnMu
     let samples = request.samples as i32;
     let visible = sums.into_iter().map(|sum| (samples - (sum as i32).clamp(0, samples)) as u32).collect();
     progress(1.0);
-    Ok(Volumes { visible: upright(visible, 1, request.resolution as usize, scene.mirrored), work })
+    Ok(Added { visible: upright(visible, 1, request.resolution as usize, scene.mirrored), work })
+}
+
+/// Masks of `count` receivers, whose words come plane by plane, side by side.
+fn interleaved(planes: &[u32], count: usize, words: usize) -> Vec<u32> {
+    (0..count).flat_map(|r| (0..words).map(move |w| (w, r))).map(|(w, r)| planes[w * count + r]).collect()
 }
 
 /// Projections of a triangle.
@@ -127,6 +145,9 @@ fn snapped(request: &Request) -> Result<Snapped> {
     if !scene.crossing.is_empty() {
         let what = format!("{} triangles reach the receiver's or the light's plane", scene.crossing.len());
         return refuse(what, "compare scenes that stand between light and receiver: move the receiver");
+    }
+    if request.faces != Faces::Both {
+        return refuse("one-sided casters".to_owned(), "compare casters that hide from either side");
     }
     let words = u64::from(scene.receivers.count()) * u64::from(scene.samples.words());
     if words > MAX_WORDS {

@@ -1,7 +1,7 @@
 //! Pictures of the visible share: PNG for the eye, EXR for further work.
 //!
-//! A [`Share`] holds whole numbers, so pictures are equal wherever the sets are; a [`Picture`] holds f64 made of such by + − × ÷.
-//! Values are linear: white sees the whole light. Column and row of a pixel are those of its texel.
+//! A [`Share`] holds whole numbers, so pictures are equal wherever the sets are; a [`Picture`] holds f64 made of such
+//! by + − × ÷. Values are linear: white sees the whole light. Column and row of a pixel are those of its texel.
 
 use std::io;
 use std::path::Path;

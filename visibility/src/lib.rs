@@ -7,6 +7,8 @@
 //! | [`ambient`] | ambient occlusion and light from an environment, at vertices |
 //! | [`shadows`] | soft shadows of area lights: hidden-sample sets |
 //! | [`compare`] | other methods for the same soft shadow, in the same run |
+//! | [`plot`] | curves of such runs as SVG |
+//! | [`simplify`] | coarser meshes for large lights, with the feature of that name |
 //! | [`queries`] | granular visibility queries: pixels seen of every instance, in every tile |
 //! | [`image`] | the visible share as PNG and EXR |
 //! | [`sets`] | the sets in a file |
@@ -24,11 +26,13 @@ pub mod error;
 pub mod image;
 pub mod input;
 pub mod output;
+pub mod plot;
 pub mod queries;
 pub mod scene;
 pub mod sets;
 pub mod setup;
 pub mod shadows;
+pub mod simplify;
 mod vector;
 
 pub use error::{Error, Result};

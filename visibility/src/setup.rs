@@ -27,7 +27,7 @@ use crate::shadows::light::Light;
 use crate::shadows::lightmap::Atlas;
 use crate::shadows::placement::{MAX_SAMPLES, Placement};
 use crate::shadows::surface::{HeightMap, Surface};
-use crate::shadows::{Effort, MAX_RESOLUTION, MAX_WORDS, Rect, Request};
+use crate::shadows::{Effort, Faces, MAX_RESOLUTION, MAX_WORDS, Rect, Request};
 use crate::vector::{Vector, add, cross, dot, length, scale, sub};
 
 /// Side of the default light, in radii of the scene.
@@ -104,6 +104,8 @@ pub struct Settings {
     pub up: Option<Up>,
     /// Side of the default light in radii of the scene.
     pub light_size: Option<f64>,
+    /// Which faces of the scene hide.
+    pub faces: Option<Faces>,
     /// Texels a side of the receiver.
     pub resolution: Option<u32>,
     /// Samples of each light.
@@ -120,6 +122,8 @@ pub struct Settings {
     pub colours: Option<u32>,
     /// Heights of the receiver.
     pub heights: Option<HeightMap>,
+    /// Whether they cast shadows on themselves.
+    pub self_shadow: Option<bool>,
     /// Whether the scene's own surface receives.
     pub lightmap: Option<bool>,
     /// The camera in whose view the receiver is shown.
@@ -135,6 +139,8 @@ pub struct Settings {
 pub struct Setup {
     /// What casts the shadows.
     pub scene: Scene,
+    /// Which faces of it hide.
+    pub faces: Faces,
     /// The axis that points up.
     pub up: Up,
     /// One or more lights, each baked by itself.
@@ -179,7 +185,8 @@ impl Setup {
         let sampling = Sampling { colours, ..sampling(settings, samples) };
         let motion = moves(&place("motion"), settings.motion, settings.frames, None, &scene)?;
         let surface = surface(settings, receiver, &scene)?;
-        Ok(Setup { scene, up, lights: vec![light.into()], receiver, surface, resolution, sampling, motion })
+        let faces = settings.faces.unwrap_or_default();
+        Ok(Setup { scene, faces, up, lights: vec![light.into()], receiver, surface, resolution, sampling, motion })
     }
 
     /// Reads a scene file; `settings` go before what it says. Its model is looked for beside it.
@@ -195,6 +202,7 @@ impl Setup {
     pub fn request(&self) -> Request {
         Request {
             triangles: self.scene.triangles(),
+            faces: self.faces,
             light: self.lights[0].rect,
             receiver: self.receiver,
             resolution: self.resolution,
@@ -214,6 +222,7 @@ impl Setup {
         });
         Exposure {
             triangles: triangles(resting),
+            faces: self.faces,
             light: self.lights[light].clone(),
             surface: self.surface.clone(),
             resolution: self.resolution,
@@ -240,8 +249,14 @@ fn sampling(settings: &Settings, samples: u32) -> Sampling {
 /// What receives: a rectangle, with heights if there are any, or the scene itself.
 fn surface(settings: &Settings, receiver: Rect, scene: &Scene) -> Result<Surface> {
     let (heights, camera) = (settings.heights.clone(), settings.camera.clone());
+    let own = settings.self_shadow.unwrap_or(false);
+    if own && heights.is_none() {
+        let what = "only heights can be told to cast shadows on themselves";
+        return Err(Place::default().element("self").error(what, "give heights, or leave it out"));
+    }
     match (settings.lightmap.unwrap_or(false), heights, camera) {
         (true, None, None) => Ok(Surface::Lightmap(Atlas::new(scene)?)),
+        (false, Some(heights), None) if own => Ok(Surface::Relief(receiver, heights)),
         (false, Some(heights), None) => Ok(Surface::Heights(receiver, heights)),
         (false, None, Some(camera)) => Ok(Surface::View(receiver, camera)),
         (false, None, None) => Ok(Surface::Plane(receiver)),

@@ -1,10 +1,10 @@
 //! Methods beside each other: projections give the same bits as sampling, and silhouette volumes err as they must.
 
 use sightlines_backend_cpu::{Bounds, Config, CpuBackend};
-use sightlines_visibility::compare::{projections, volumes};
+use sightlines_visibility::compare::{Added, maps, projections, tables, volumes};
 use sightlines_visibility::scene::{Generator, generate};
 use sightlines_visibility::setup::{Settings, Setup};
-use sightlines_visibility::shadows::{Request, bake};
+use sightlines_visibility::shadows::{Faces, Request, bake};
 
 fn machine() -> CpuBackend {
     CpuBackend::new(Config { bounds: Bounds::Trap, ..Config::default() })
@@ -36,6 +36,34 @@ fn a_projection_for_each_sample_gives_the_same_sets() {
     }
 }
 
+/// The order of the paper errs by the texels of its table alone: a few samples of a thousand.
+#[test]
+fn a_table_of_angles_and_distances_errs_by_its_texels() {
+    for (generator, resolution, samples, light) in [("palms", 24, 64, 0.4), ("colonnade", 48, 256, 1.0)] {
+        let request = request(generator, resolution, samples, light);
+        let [ours, theirs] = [bake, tables].map(|method| method(&machine(), &request, &mut |_| ()).unwrap());
+        let bits: u32 = ours.sets.masks.iter().zip(&theirs.sets.masks).map(|(a, b)| (a ^ b).count_ones()).sum();
+        let all = samples * resolution * resolution;
+        assert!(bits > 0 && bits * 200 < all, "{generator}: {bits} of {all}");
+        assert_eq!(ours.sets.samples_uv, theirs.sets.samples_uv);
+    }
+}
+
+/// A patch of a soft shadow map is right for a box whose lid alone is seen, up to the texels of the map; columns are not.
+#[test]
+fn soft_shadow_maps_are_near_and_too_light_beside_what_the_centre_does_not_see() {
+    let mean = |request: &Request| {
+        let exact = bake(&machine(), request, &mut |_| ()).unwrap().visible;
+        let Added { visible, work } = maps(request, &mut |_| ()).unwrap();
+        assert!(work.pairs > 0 && work.lane_ops.is_none());
+        let sum: u32 = exact.iter().zip(&visible).map(|(a, b)| a.abs_diff(*b)).sum();
+        f64::from(sum) / (exact.len() as f64 * f64::from(request.samples))
+    };
+    let [lid, columns] =
+        [request("box", 96, 256, 0.4), request("colonnade", 96, 256, 1.0)].map(|request| mean(&request));
+    assert!(lid < 0.002 && columns > 3.0 * lid && columns < 0.05, "{lid} and {columns}");
+}
+
 /// Texels that volumes make too dark and too light, and by how many samples at most.
 fn errors(request: &Request) -> [u32; 3] {
     let machine = machine();
@@ -56,6 +84,8 @@ fn silhouette_volumes_are_exact_under_one_silhouette_and_too_dark_where_casters_
 #[test]
 fn what_reaches_the_receiver_is_refused() {
     let mut request = request("box", 16, 32, 0.4);
+    let one_sided = Request { faces: Faces::Front, ..request.clone() };
+    assert!(maps(&one_sided, &mut |_| ()).unwrap_err().to_string().contains("one-sided"));
     let [x, y, z] = request.receiver.corner;
     request.triangles.push([[x + 1.0, y, z + 1.0], [x + 2.0, y + 1.0, z + 1.0], [x + 1.0, y + 1.0, z + 2.0]]);
     let refusal = projections(&machine(), &request, &mut |_| ()).expect_err("it touches the receiver").to_string();

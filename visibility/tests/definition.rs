@@ -7,7 +7,7 @@ use sightlines_kernels::random;
 use sightlines_visibility::scene::{Generator, generate};
 use sightlines_visibility::setup::{Settings, Setup};
 use sightlines_visibility::shadows::snap::{Snapped, snap};
-use sightlines_visibility::shadows::{Bake, Effort, Rect, Request, Work, bake, bake_with};
+use sightlines_visibility::shadows::{Bake, Effort, Faces, Rect, Request, Work, bake, bake_with};
 
 fn machine() -> CpuBackend {
     CpuBackend::new(Config { bounds: Bounds::Trap, ..Config::default() })
@@ -16,6 +16,7 @@ fn machine() -> CpuBackend {
 fn request(triangles: Vec<[[f64; 3]; 3]>, resolution: u32, samples: u32, side: f64) -> Request {
     Request {
         triangles,
+        faces: Faces::Both,
         light: Rect { corner: [-side / 2.0, 3.0, -side / 2.0], u: [side, 0.0, 0.0], v: [0.0, 0.0, side] },
         receiver: Rect { corner: [-2.0, 0.0, 2.0], u: [4.0, 0.0, 0.0], v: [0.0, 0.0, -4.0] },
         resolution,

@@ -3,16 +3,17 @@
 use std::path::Path;
 
 use sightlines_backend_cpu::{Bounds, Config, CpuBackend};
-use sightlines_kernels::grid::hidden;
 use sightlines_kernels::irradiance::oracle::weight;
+use sightlines_kernels::random;
 use sightlines_visibility::error::Place;
-use sightlines_visibility::scene::{Camera, Lens, Mesh, Scene};
+use sightlines_visibility::scene::{Camera, Generator, Lens, Mesh, Scene, generate};
+use sightlines_visibility::setup::{Settings, Setup};
 use sightlines_visibility::shadows::expose::{Exposed, Exposure, Motion, Prepared, Sampling, expose, prepare};
 use sightlines_visibility::shadows::light::{Area, Form, Light, Texture};
 use sightlines_visibility::shadows::lightmap::{Atlas, BIAS};
 use sightlines_visibility::shadows::placement::Placement;
 use sightlines_visibility::shadows::surface::{HeightMap, Surface};
-use sightlines_visibility::shadows::{Effort, Rect, Request, bake};
+use sightlines_visibility::shadows::{Effort, Faces, Rect, Request, bake};
 
 type Quad = [[f64; 3]; 4];
 
@@ -40,6 +41,7 @@ fn casters() -> Vec<[[f64; 3]; 3]> {
 fn exposure(surface: Surface, sampling: Sampling) -> Exposure {
     Exposure {
         triangles: casters(),
+        faces: Faces::Both,
         light: Light::from(LAMP),
         surface,
         resolution: SIDE,
@@ -57,7 +59,7 @@ fn sampled(placement: Placement, count: u32) -> Sampling {
 /// Exposes and holds every bit, count and sum to the definition on the integers of [`prepare`]; the answer is how many texels
 /// see a part of the light.
 fn holds(exposure: &Exposure) -> (Exposed, u32) {
-    let Prepared { field, normals, frames, passes, palette, .. } = prepare(exposure).unwrap();
+    let Prepared { field, normals, frames, faces, passes, palette, .. } = prepare(exposure).unwrap();
     let exposed = expose(&machine(), exposure, &mut |_| ()).unwrap();
     let samples: Vec<[i32; 2]> = passes.iter().flat_map(|pass| pass.points().to_vec()).collect();
     let texels = field.count() as usize;
@@ -69,7 +71,7 @@ fn holds(exposure: &Exposure) -> (Exposed, u32) {
             let point = [x + receiver.shift[0], y + receiver.shift[1]];
             let mut ever = !receiver.is_there();
             for triangles in &frames {
-                let is = |t| hidden(receiver.at, [point[0], point[1], 0], t);
+                let is = |t| faces.hide(receiver.at, [point[0], point[1], 0], t);
                 let is_hidden = !receiver.is_there() || triangles.iter().any(is);
                 ever |= is_hidden;
                 if !is_hidden {
@@ -121,7 +123,8 @@ fn passes_add_up() {
 fn a_plain_light_has_the_sets_of_a_bake() {
     for samples in [32, 256, 1024] {
         let exposure = exposure(Surface::Plane(FLOOR), Sampling::new(samples));
-        let request = Request { triangles: casters(), light: LAMP, receiver: FLOOR, resolution: SIDE, samples };
+        let faces = Faces::Both;
+        let request = Request { triangles: casters(), faces, light: LAMP, receiver: FLOOR, resolution: SIDE, samples };
         let baked = bake(&machine(), &request, &mut |_| ()).unwrap();
         let by_lines = expose(&machine(), &exposure, &mut |_| ()).unwrap();
         assert_eq!((&by_lines.sets, &by_lines.visible), (&baked.sets, &baked.visible), "{samples}");
@@ -202,6 +205,53 @@ fn height_fields_slopes_and_walls() {
     assert!((100..160).contains(&above), "{above} texels are above the light");
 }
 
+/// A height field that casts on itself: its triangles are casters, and a slope of it hides none of itself.
+#[test]
+fn a_relief_hides_from_its_valleys_and_no_slope_from_itself() {
+    let light = Light::from(Rect { corner: [-3.4, 0.8, -0.5], u: [0.6, 0.6, 0.0], v: [0.0, 0.0, 1.0] });
+    let heights = HeightMap::new(6, 5, (0..30).map(|i| f64::from(i * 7 % 5) * 0.12).collect()).unwrap();
+    let casting = |surface| Exposure {
+        light: light.clone(),
+        triangles: vec![],
+        ..exposure(surface, sampled(Placement::Halton, 40))
+    };
+    let (alone, _) = holds(&casting(Surface::Heights(FLOOR, heights.clone())));
+    let relief = casting(Surface::Relief(FLOOR, heights));
+    assert_eq!(prepare(&relief).unwrap().frames[0].len(), 2 * 7 * 6);
+    let (exposed, partly) = holds(&relief);
+    let seen = |exposed: &Exposed| exposed.visible.iter().sum::<u32>();
+    assert_eq!((seen(&alone), seen(&exposed), partly), (40 * SIDE * SIDE, 7595, 79));
+    // A plane is one slope, however the light stands.
+    let slope = HeightMap::new(2, 2, vec![0.0, 1.0, 0.3, 1.3]).unwrap();
+    let flat = casting(Surface::Relief(FLOOR, slope));
+    let middle = holds(&flat).0;
+    let inner = |texel: usize| (5..13).contains(&(texel % SIDE as usize)) && (5..13).contains(&(texel / SIDE as usize));
+    assert!((0..(SIDE * SIDE) as usize).filter(|t| inner(*t)).all(|t| middle.visible[t] == 40), "a slope hides itself");
+}
+
+/// A tilted floor at real size: 256² receivers, 256 samples, 29,040 triangles; seeded receivers of the penumbra and others.
+#[test]
+fn a_slope_under_the_palms_equals_the_definition_on_its_penumbra() {
+    let settings = Settings { resolution: Some(256), samples: Some(256), ..Settings::default() };
+    let setup = Setup::new(generate(Generator::Palms), &settings).unwrap();
+    let plain = setup.exposure(0, false);
+    let Surface::Plane(floor) = plain.surface else { panic!("the default receiver is a plane") };
+    let [corner, v] = [floor.corner, floor.v].map(|mut side| {
+        side[1] -= 0.1 * floor.u[0];
+        side
+    });
+    let slope = Exposure { surface: Surface::Plane(Rect { corner, v, ..floor }), ..plain };
+    let exposed = expose(&machine(), &slope, &mut |_| ()).unwrap();
+    let Prepared { field, frames, passes, .. } = prepare(&slope).unwrap();
+    let partly = |texel: &u32| (1..256).contains(&exposed.visible[*texel as usize]);
+    let looks: Vec<u32> = (0..).map(|i| random::below(256 * 256, 41, i)).filter(partly).take(10).collect();
+    for texel in looks.into_iter().chain((0..4).map(|i| random::below(256 * 256, 42, i))) {
+        let want = field.hidden_set(texel, &passes[0], &frames[0]);
+        let at = 8 * texel as usize;
+        assert_eq!(exposed.sets.masks[at..at + 8], want, "texel {texel}");
+    }
+}
+
 /// A box with a lightmap: no face hides from itself, and what is turned away is dark.
 #[test]
 fn a_lightmap_of_a_box() {
@@ -244,6 +294,24 @@ fn what_moves_leaves_its_shadow_in_every_frame() {
         holds(&Exposure { motion, ..exposure(Surface::Plane(FLOOR), sampled(Placement::Halton, 40)) });
     assert_eq!(exposed.samples, [120]);
     assert!(partly > 60, "{partly} texels are partly lit");
+}
+
+/// Casters of one face, by lines and by row spans: each face hides by itself what it should, together they hide all.
+#[test]
+fn one_sided_casters_hide_by_the_face_that_counts() {
+    let mut found = Vec::new();
+    for faces in [Faces::Both, Faces::Front, Faces::Back] {
+        let by_lines = Exposure { faces, ..exposure(Surface::Plane(FLOOR), Sampling::new(64)) };
+        let (exposed, _) = holds(&by_lines);
+        let by_rows = expose(&machine(), &Exposure { light_sums: false, ..by_lines.clone() }, &mut |_| ()).unwrap();
+        assert_eq!((&by_rows.sets, &by_rows.visible), (&exposed.sets, &exposed.visible), "{faces:?}");
+        holds(&Exposure { surface: Surface::Heights(FLOOR, HeightMap::bumps(0.8)), ..by_lines });
+        found.push(exposed.sets.masks);
+    }
+    let hidden = |masks: &[u32]| masks.iter().map(|word| word.count_ones()).sum::<u32>();
+    let either = found[1].iter().zip(&found[2]).map(|(front, back)| front | back);
+    assert!(either.eq(found[0].iter().copied()));
+    assert_eq!([0, 1, 2].map(|faces: usize| hidden(&found[faces])), [3685, 409, 3313]);
 }
 
 /// A very large light, as wide as the floor and close above the casters.

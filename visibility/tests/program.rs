@@ -363,3 +363,61 @@ fn a_full_disk_ends_with_1_and_leaves_nothing_half_written() {
     assert!(message.contains("error: a.sets: cannot be written") && message.contains("make room"), "{message}");
     assert_eq!(folder.names(), [""; 0]);
 }
+
+/// Every option of casters, receivers and maps in one small run each.
+#[test]
+fn casters_of_one_face_reliefs_and_maps_are_baked() {
+    let folder = Folder::new();
+    let visible = |options: &str| {
+        let output = folder.run(&format!("shadows --backend cpu --resolution 32 --samples 64 -o a.png {options}"));
+        assert!(output.status.success(), "{options}: {}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let share = |options: &str| line(&visible(options), "visible ").split(' ').next().unwrap().parse::<f64>().unwrap();
+    // One triangle, whose front looks up, to the light: its back hides nothing.
+    folder.put("a.obj", "v 0 1 0\nv 0 1 1\nv 1 1 0\nf 1 2 3\n");
+    let [both, front, back] = ["both", "front", "back"].map(|faces| share(&format!("a.obj --faces {faces}")));
+    assert!(both < 1.0 && front == both && back == 1.0, "{both} {front} {back}");
+    let heights = "--scene box --heights bumps --height-scale 0.8";
+    let [flat, own] = ["", "--self"].map(|own| share(&format!("{heights} {own}")));
+    assert!(own < flat, "{own} and {flat}");
+    let report = visible("--scene box --camera 0,3,4/0,0,0/50 --map 64");
+    assert!(line(&report, "map ").starts_with("64 x 64: "), "{report}");
+    let (width, panels) = greys(&folder.0.path().join("a.png"));
+    assert_eq!((width, panels.len()), (96, 96 * 32));
+    for (line, expected) in [
+        ("shadows --scene box --map 64", "--camera"),
+        ("shadows --scene box --camera 0,3,4/0,0,0 --map 48", "power of two"),
+        ("shadows --scene box --camera 0,3,4/0,0,0 --map 64 --exr a.exr", "a picture of shares"),
+        ("shadows --scene box --self", "only heights"),
+        ("shadows --scene box --faces left", "invalid value"),
+        ("shadows --scene box --simplify most", "no target"),
+    ] {
+        let message = folder.fails(line, 2);
+        assert!(message.contains(expected), "{line}: {message}");
+    }
+}
+
+#[test]
+fn methods_are_compared_in_a_table_a_picture_and_curves() {
+    let folder = Folder::new();
+    let output = folder.run(
+        "compare --scene box --backend cpu --resolution 32 --samples 32,64 --light-size 0.4,1 -o a.png --csv a.csv --plot a.svg",
+    );
+    let report = String::from_utf8(output.stdout).unwrap();
+    assert!(output.status.success(), "{report}{}", String::from_utf8_lossy(&output.stderr));
+    for method in ["sampling ", "projections ", "tables ", "volumes ", "maps "] {
+        // Three of them have a line of their own beside that in the table.
+        let lines = if matches!(method, "sampling " | "tables ") { 4 } else { 8 };
+        assert_eq!(report.lines().filter(|line| line.starts_with(method)).count(), lines, "{method}: {report}");
+    }
+    let read = |name: &str| std::fs::read_to_string(folder.0.path().join(name)).unwrap();
+    let table = read("a.csv");
+    assert!(table.starts_with("resolution,samples,light_side,triangles,method,pairs,lane_ops,differ,error,seconds\n"));
+    assert_eq!(table.lines().count(), 1 + 4 * 5);
+    let curves = read("a.svg");
+    // Four methods are counted, each for two numbers of samples.
+    assert_eq!(curves.matches("<polyline").count(), 8);
+    assert!(curves.contains("projections, 64 samples") && curves.contains("side of the light"), "{curves}");
+    assert_eq!(greys(&folder.0.path().join("a.0.png")).0, 160);
+}

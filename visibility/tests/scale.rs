@@ -4,7 +4,7 @@
 use sightlines_backend_cpu::{Bounds, Config, CpuBackend};
 use sightlines_visibility::scene::bumpy_sphere;
 use sightlines_visibility::setup::{Settings, Setup};
-use sightlines_visibility::shadows::{Bake, Effort, Rect, Request, bake_with};
+use sightlines_visibility::shadows::{Bake, Effort, Faces, Rect, Request, bake_with};
 
 type Triangles = Vec<[[f64; 3]; 3]>;
 
@@ -12,6 +12,7 @@ type Triangles = Vec<[[f64; 3]; 3]>;
 fn request(triangles: Triangles) -> Request {
     Request {
         triangles,
+        faces: Faces::Both,
         light: Rect { corner: [-0.5, 3.0, -0.5], u: [1.0, 0.0, 0.0], v: [0.0, 0.0, 1.0] },
         receiver: Rect { corner: [-2.0, 0.0, 2.0], u: [4.0, 0.0, 0.0], v: [0.0, 0.0, -4.0] },
         resolution: 64,

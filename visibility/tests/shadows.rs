@@ -183,7 +183,7 @@ fn the_manuals_scenes_load() {
             scenes += 1;
         }
     }
-    assert_eq!(scenes, 7);
+    assert_eq!(scenes, 8);
 }
 
 #[test]

@@ -8,7 +8,7 @@ use crate::{USAGE, say, test};
 const HELP: &str = "\
 Usage: cargo xtask ci [--require NAME]…
 
-Runs `cargo xtask test --require NAME…`, then `cargo fmt --check`, then `cargo clippy` with warnings denied, also on
+Runs `cargo xtask test --require NAME…`, the tests of the optional feature `simplify`, then `cargo fmt --check`, then `cargo clippy` with warnings denied, also on
 the fuzz targets. All run, whichever fails; the exit code is the first that is not 0.";
 
 /// Runs all steps.
@@ -26,6 +26,8 @@ pub(crate) fn run(args: &[String]) -> u8 {
         cargo.args(args).env("CUSTOM_LIBFUZZER_PATH", "/nowhere/libnone.a").current_dir(workspace());
         finish(cargo.status())
     };
+    let simplify = ["--release", "--workspace", "--features", "sightlines-visibility/simplify", "--test", "simplify"];
+    let simplify = step("test", &simplify);
     let format = step("fmt", &["--all", "--check"]);
     let clippy = step("clippy", &["--release", "--workspace", "--all-targets", "--", "-D", "warnings"]);
     let fuzz = [
@@ -40,7 +42,7 @@ pub(crate) fn run(args: &[String]) -> u8 {
         "warnings",
     ];
     let fuzz = step("clippy", &fuzz);
-    let steps = [("test", tests), ("fmt", format), ("clippy", clippy), ("fuzz targets", fuzz)];
+    let steps = [("test", tests), ("simplify", simplify), ("fmt", format), ("clippy", clippy), ("fuzz targets", fuzz)];
     for (name, code) in steps {
         say(io::stdout(), &format!("{name}: {}", if code == 0 { "passed" } else { "FAILED" }), 0);
     }

@@ -3,7 +3,7 @@
 use sightlines_backend::{Case, Expected, Job, Outputs, Size};
 
 use super::{HalfPlanes, oracle};
-use crate::grid::{Receivers, Samples, Triangle, hidden_set};
+use crate::grid::{Faces, Receivers, Samples, Triangle, hidden_set};
 use crate::random;
 use crate::triangles::{Family, crossing, levels};
 
@@ -23,6 +23,11 @@ pub(super) fn all() -> Vec<Case> {
         case("crossing_256", light(16, 16), FEW, |s, r| crossing(30, s, r)),
         case("crossing_64", light(8, 8), FEW, |s, r| crossing(60, s, r)),
         case("crossing_32", light(8, 4), FEW, |s, r| crossing(60, s, r)),
+        case_by(Faces::Front, "front_levels", light(32, 32), FEW, |_, r| levels(r.height)),
+        case_by(Faces::Front, "front_crossing", light(16, 16), FEW, |s, r| crossing(30, s, r)),
+        case_by(Faces::Front, "front_64", light(8, 8), FEW, |s, r| crossing(60, s, r)),
+        case_by(Faces::Front, "front_32", light(8, 4), FEW, |s, r| crossing(60, s, r)),
+        case_by(Faces::Front, "front_through_samples", light(32, 32), FEW, |s, _| through_samples(s)),
         case("through_samples", light(32, 32), FEW, |s, _| through_samples(s)),
     ];
     cases.extend(Family::ALL.map(|f| case(&format!("family_{}", f.name()), light(32, 32), FEW, families(f))));
@@ -44,19 +49,34 @@ fn case(
     receivers: Receivers,
     make: impl Fn(&Samples, &Receivers) -> Vec<Triangle> + Clone + Send + Sync + 'static,
 ) -> Case {
+    case_by(Faces::Both, name, samples, receivers, make)
+}
+
+fn case_by(
+    faces: Faces,
+    name: &str,
+    samples: Samples,
+    receivers: Receivers,
+    make: impl Fn(&Samples, &Receivers) -> Vec<Triangle> + Clone + Send + Sync + 'static,
+) -> Case {
     let triangles = make.clone();
-    let job = move || job(&samples, &receivers, &triangles(&samples, &receivers));
+    let job = move || job(faces, &samples, &receivers, &triangles(&samples, &receivers));
     let expected = move |_: &Outputs| {
         let triangles = make(&samples, &receivers);
-        vec![Expected::Whole(oracle::sets(&samples, &receivers, &triangles))]
+        vec![Expected::Whole(oracle::sets_by(faces, &samples, &receivers, &triangles))]
     };
     let middle = receivers.count() / 2;
     Case::new(name, Size::Small, job, expected)
         .probes((0..samples.words()).step_by(5).map(|w| w * receivers.count() + middle))
 }
 
-fn job(samples: &Samples, receivers: &Receivers, triangles: &[Triangle]) -> sightlines_backend::Result<Job> {
-    let kernel = HalfPlanes::new(samples)?;
+fn job(
+    faces: Faces,
+    samples: &Samples,
+    receivers: &Receivers,
+    triangles: &[Triangle],
+) -> sightlines_backend::Result<Job> {
+    let kernel = HalfPlanes::with_faces(samples, faces)?;
     let mut job = Job::new();
     let words: Vec<i32> = triangles.iter().flatten().flatten().copied().collect();
     // A binding holds at least one element.
@@ -81,6 +101,6 @@ fn floor() -> Case {
         vec![Expected::Sample { words: words.collect(), seed: 14 }]
     };
     let centre = MANY.count() / 2 + MANY.columns / 2;
-    Case::new("posts_60", Size::Real, move || job(&samples, &MANY, &posts()), expected)
+    Case::new("posts_60", Size::Real, move || job(Faces::Both, &samples, &MANY, &posts()), expected)
         .probes((0..32).step_by(5).map(|w| w * MANY.count() + centre))
 }

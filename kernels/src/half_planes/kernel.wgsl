@@ -18,6 +18,8 @@ import package::shared::wide::{imul_wide, add64, dot64, sgn64};
 const COLUMNS: u32 = 32u;
 /// Samples along y: a power of two up to 32.
 const ROWS: u32 = 32u;
+/// Whether triangles hide by their fronts alone: those whose back the receiver is behind hide nothing.
+const ONE_SIDED: bool = false;
 /// Receivers of one workgroup.
 const COUNT = 256u / ROWS;
 
@@ -79,7 +81,7 @@ fn row_mask(triangle: u32, r: vec3<i32>, v: i32) -> u32 {
     var b = vertex(triangle, 1u);
     var c = vertex(triangle, 2u);
     let orientation = sgn64(dot64(edge_function(r, a, b), c - r));
-    if (orientation == 0) {
+    if ((orientation == 0) | (ONE_SIDED & (orientation < 0))) {
         return 0u;
     }
     if (orientation < 0) {

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use sightlines_backend::host::{Bindings, Buffer};
 use sightlines_backend::{Define, Error, Job, Kernel, Program, Result, bindings, host};
 
-use crate::grid::{Receivers, Samples, View};
+use crate::grid::{Faces, Receivers, Samples, View};
 use crate::pieces;
 
 mod cases;
@@ -20,7 +20,11 @@ pub const KERNEL: Kernel = Kernel {
     name: "half_planes",
     summary: "samples of a regular light that triangles hide, also where they cross the source or the receivers' plane",
     citation: "Eisemann and Décoret, Visibility Sampling on GPU and Applications, 2007, sections 4, 5 and 10",
-    programs: || [(32, 32), (16, 16), (8, 8), (8, 4)].map(|(c, r)| program(c, r)).into_iter().collect(),
+    programs: || {
+        let lights = [(32, 32), (16, 16), (8, 8), (8, 4)];
+        let both = [Faces::Both, Faces::Front].into_iter();
+        both.flat_map(|faces| lights.map(|(columns, rows)| program(columns, rows, faces))).collect()
+    },
     cases: cases::all,
 };
 
@@ -56,9 +60,14 @@ bindings! {
     }
 }
 
-fn program(columns: u32, rows: u32) -> Result<Arc<Program>> {
-    let defines = [Define::new("COLUMNS", format!("{columns}u")), Define::new("ROWS", format!("{rows}u"))];
-    let program = crate::program("half_planes", &format!("{columns}x{rows}"), &defines)?;
+fn program(columns: u32, rows: u32, faces: Faces) -> Result<Arc<Program>> {
+    let mut defines = vec![Define::new("COLUMNS", format!("{columns}u")), Define::new("ROWS", format!("{rows}u"))];
+    let mut variant = format!("{columns}x{rows}");
+    if faces == Faces::Front {
+        defines.push(Define::new("ONE_SIDED", true));
+        variant += "-front";
+    }
+    let program = crate::program("half_planes", &variant, &defines)?;
     Cuts::check(&program, "half_planes")?;
     Ok(program)
 }
@@ -70,10 +79,15 @@ pub struct HalfPlanes {
 }
 
 impl HalfPlanes {
-    /// Compiles it for as many columns and rows as `samples` has.
+    /// Compiles it for as many columns and rows as `samples` has, and triangles that hide by either face.
     pub fn new(samples: &Samples) -> Result<Self> {
+        Self::with_faces(samples, Faces::Both)
+    }
+
+    /// Compiles it for triangles that hide by some faces.
+    pub fn with_faces(samples: &Samples, faces: Faces) -> Result<Self> {
         samples.check()?;
-        Ok(HalfPlanes { program: program(samples.columns, samples.rows)?, samples: *samples })
+        Ok(HalfPlanes { program: program(samples.columns, samples.rows, faces)?, samples: *samples })
     }
 
     /// Adds the samples that `triangles` of `vertices` (nine coordinates each) hide to `hidden`, whose word

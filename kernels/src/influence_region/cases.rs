@@ -4,7 +4,7 @@ use sightlines_backend::host::Buffer;
 use sightlines_backend::{Case, Expected, Job, Result, Size};
 
 use super::{InfluenceRegion, TiltedRegion, oracle};
-use crate::grid::{Lattice, Point, Receivers, Samples, Triangle, XY, Z};
+use crate::grid::{Faces, Lattice, Point, Receivers, Samples, Triangle, XY, Z};
 use crate::random;
 use crate::triangles::Family;
 
@@ -28,6 +28,11 @@ pub(super) fn all() -> Vec<Case> {
         parallel("one", Size::Small, || vec![ONE]),
         parallel("beyond_the_planes", Size::Small, || beyond(RECEIVERS.height)),
         parallel("extremes", Size::Small, || extremes([1, RECEIVERS.height - 1])),
+        one_sided("front_beyond_the_planes", Size::Small, || beyond(RECEIVERS.height)),
+        one_sided("front_extremes", Size::Small, || extremes([1, RECEIVERS.height - 1])),
+        one_sided("front_families", Size::Small, || families(100, &RECEIVERS)),
+        one_sided("front_through_samples", Size::Small, through_samples),
+        one_sided("front_mixed_50000", Size::Real, || families(50_000 / 10, &RECEIVERS)),
         parallel("mixed_200000", Size::Real, || families(200_000 / 9, &RECEIVERS)),
         tilted("tilted_nothing", Size::Small, SLOPE, Vec::new),
         tilted("tilted_one", Size::Small, SLOPE, || vec![ONE]),
@@ -80,6 +85,23 @@ fn beyond(height: i32) -> Vec<Triangle> {
     triangles
 }
 
+/// Planes that hold samples: a vertex below two samples or one, so that a row of samples sees neither face.
+fn through_samples() -> Vec<Triangle> {
+    let pick = |index: u32| SAMPLES.at(random::below(SAMPLES.count(), 21, index));
+    let below = |[x, y, _]: Point, z: i32| [x, y, z];
+    let level = |index: u32| 1 + random::below(20_000, 22, index) as i32;
+    let pairs = (0..200).map(|i| (i, pick(3 * i), pick(3 * i + 1), pick(3 * i + 2)));
+    pairs
+        .map(|(i, a, b, c)| {
+            [
+                below(a, level(3 * i)),
+                below(b, level(3 * i + 1)),
+                below(if i % 2 == 0 { a } else { c }, level(3 * i + 2)),
+            ]
+        })
+        .collect()
+}
+
 /// Vertices at the corners of the grid, at two heights.
 fn extremes(heights: [i32; 2]) -> Vec<Triangle> {
     let corners: Vec<Point> = [-16_384, 16_383]
@@ -96,9 +118,18 @@ fn families<R: Into<Lattice> + Copy>(each: u32, receivers: R) -> Vec<Triangle> {
 }
 
 fn parallel(name: &str, size: Size, make: impl Fn() -> Vec<Triangle> + Clone + Send + Sync + 'static) -> Case {
-    let record =
-        |job: &mut Job, vertices, regions| InfluenceRegion::new()?.record(job, &SAMPLES, &RECEIVERS, vertices, regions);
-    case(name, size, make, record, |triangle| oracle::region(triangle, &SAMPLES, &RECEIVERS))
+    by(Faces::Both, name, size, make)
+}
+
+fn one_sided(name: &str, size: Size, make: impl Fn() -> Vec<Triangle> + Clone + Send + Sync + 'static) -> Case {
+    by(Faces::Front, name, size, make)
+}
+
+fn by(faces: Faces, name: &str, size: Size, make: impl Fn() -> Vec<Triangle> + Clone + Send + Sync + 'static) -> Case {
+    let record = move |job: &mut Job, vertices, regions| {
+        InfluenceRegion::with_faces(faces)?.record(job, &SAMPLES, &RECEIVERS, vertices, regions)
+    };
+    case(name, size, make, record, move |triangle| oracle::region_by(faces, triangle, &SAMPLES, &RECEIVERS))
 }
 
 fn tilted(

@@ -16,8 +16,18 @@
 // the source plane has no bounded projection, and its region is all receivers. A triangle that lies wholly in or beyond
 // one of the planes hides nothing, and its region is empty.
 //
+// Of a one-sided triangle (`ONE_SIDED`) the samples are those in front of it alone: the corners above are then those of the
+// box around them, and the region is the least box around the projections from all of them. Section 3, figure 1, has no
+// region for this case; docs/numerics.md derives it.
+//
 // With w = height - z a line from sample coordinate s through (v, z) meets the plane at (v * height - s * w) / z. All
 // numerators stay below 2^31: |v * height|, |s * w|, |origin * z| <= 2^29.
+
+import package::shared::crossing::{Function, along_row, edge_function, first_inside};
+import package::shared::wide::add64;
+
+/// Whether triangles hide by their fronts alone.
+const ONE_SIDED: bool = false;
 
 struct Params {
     triangles: u32,
@@ -36,6 +46,11 @@ struct Params {
     sample_last_y: i32,
     /// Triangle of the first invocation.
     first: u32,
+    /// Distances and numbers of samples along x and y.
+    sample_step_x: i32,
+    sample_step_y: i32,
+    sample_columns: u32,
+    sample_rows: u32,
 }
 
 @group(0) @binding(0) var<uniform> params: Params;
@@ -68,6 +83,24 @@ fn join(a: vec2<i32>, b: vec2<i32>) -> vec2<i32> {
     return vec2<i32>(min(a.x, b.x), max(a.y, b.y));
 }
 
+/// First and last sample of an axis that see a front in any row across it; none where the first exceeds the last. `n` and `a`
+/// are a normal and a point of the triangle, and `first`, `last` the ends of the two axes, all with this axis as x.
+fn seen(n: vec3<i32>, a: vec3<i32>, first: vec2<i32>, last: vec2<i32>, step: i32, count: u32) -> vec2<i32> {
+    // Of a column of samples the end that is farther along the normal sees the front if any does.
+    let f = along_row(n, a, first.x, select(first.y, last.y, n.y > 0));
+    if (n.x < 0) {
+        return vec2<i32>(0, bitcast<i32>(first_inside(f, step, count)) - 1);
+    }
+    // A sample on the plane sees no face: E > 0 is E - 1 >= 0.
+    let above = Function(f.slope, add64(f.start, vec2<u32>(0xffffffffu)));
+    return vec2<i32>(bitcast<i32>(first_inside(above, step, count)), bitcast<i32>(count) - 1);
+}
+
+/// The coordinates of those samples.
+fn ends(first: i32, step: i32, seen: vec2<i32>) -> vec2<i32> {
+    return vec2<i32>(first) + step * seen;
+}
+
 fn store(triangle: u32, x: vec2<i32>, y: vec2<i32>) {
     let at = 4u * triangle;
     regions[at] = max(x.x, 0);
@@ -94,13 +127,31 @@ fn influence_region(@builtin(global_invocation_id) id: vec3<u32>) {
         store(triangle, vec2<i32>(0, 0x7fffffff), vec2<i32>(0, 0x7fffffff));
         return;
     }
+    var sample_x = vec2<i32>(params.sample_first_x, params.sample_last_x);
+    var sample_y = vec2<i32>(params.sample_first_y, params.sample_last_y);
+    if (ONE_SIDED) {
+        let a = vec3<i32>(vertices[at], vertices[at + 1u], z.x);
+        let b = vec3<i32>(vertices[at + 3u], vertices[at + 4u], z.y);
+        let c = vec3<i32>(vertices[at + 6u], vertices[at + 7u], z.z);
+        let n = edge_function(a, b, c);
+        let first = vec2<i32>(sample_x.x, sample_y.x);
+        let last = vec2<i32>(sample_x.y, sample_y.y);
+        let columns = seen(n, a, first, last, params.sample_step_x, params.sample_columns);
+        let rows = seen(n.yxz, a.yxz, first.yx, last.yx, params.sample_step_y, params.sample_rows);
+        if (columns.x > columns.y) {
+            store(triangle, vec2<i32>(0, -1), vec2<i32>(0, -1));
+            return;
+        }
+        sample_x = ends(sample_x.x, params.sample_step_x, columns);
+        sample_y = ends(sample_y.x, params.sample_step_y, rows);
+    }
     var x = vec2<i32>(0x7fffffff, -0x7fffffff);
     var y = x;
     for (var corner = 0u; corner < 3u; corner += 1u) {
         let v = at + 3u * corner;
-        x = join(x, reach(vertices[v], vertices[v + 2u], params.sample_first_x, params.sample_last_x,
+        x = join(x, reach(vertices[v], vertices[v + 2u], sample_x.x, sample_x.y,
             params.receiver_x, params.receiver_step_x));
-        y = join(y, reach(vertices[v + 1u], vertices[v + 2u], params.sample_first_y, params.sample_last_y,
+        y = join(y, reach(vertices[v + 1u], vertices[v + 2u], sample_y.x, sample_y.y,
             params.receiver_y, params.receiver_step_y));
     }
     store(triangle, x, y);

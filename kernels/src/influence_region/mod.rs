@@ -7,9 +7,9 @@
 use std::sync::Arc;
 
 use sightlines_backend::host::{Bindings, Buffer};
-use sightlines_backend::{Error, Job, Kernel, Program, Result, bindings, host};
+use sightlines_backend::{Define, Error, Job, Kernel, Program, Result, bindings, host};
 
-use crate::grid::{Receivers, Samples};
+use crate::grid::{Faces, Receivers, Samples};
 use crate::pieces;
 
 mod cases;
@@ -23,7 +23,10 @@ pub const KERNEL: Kernel = Kernel {
     name: "influence_region",
     summary: "rectangle of receivers that each triangle can hide any light sample from",
     citation: "Eisemann and Décoret, Visibility Sampling on GPU and Applications, 2007, section 3, equation 3",
-    programs: || Ok(vec![InfluenceRegion::new()?.program, TiltedRegion::new()?.program]),
+    programs: || {
+        let both = [Faces::Both, Faces::Front].map(|faces| Ok(InfluenceRegion::with_faces(faces)?.program));
+        both.into_iter().chain([Ok(TiltedRegion::new()?.program)]).collect()
+    },
     cases: cases::all,
 };
 
@@ -58,6 +61,14 @@ host! {
         pub sample_last_y: i32,
         /// Triangle of the first invocation.
         pub first: u32,
+        /// Distance of samples along x.
+        pub sample_step_x: i32,
+        /// Distance of samples along y.
+        pub sample_step_y: i32,
+        /// Samples along x.
+        pub sample_columns: u32,
+        /// Samples along y.
+        pub sample_rows: u32,
     }
 }
 
@@ -76,9 +87,17 @@ pub struct InfluenceRegion {
 }
 
 impl InfluenceRegion {
-    /// Compiles it.
+    /// Compiles it for triangles that hide by either face.
     pub fn new() -> Result<Self> {
-        let program = crate::program("influence_region", "", &[])?;
+        Self::with_faces(Faces::Both)
+    }
+
+    /// Compiles it for triangles that hide by some faces.
+    pub fn with_faces(faces: Faces) -> Result<Self> {
+        let program = match faces {
+            Faces::Both => crate::program("influence_region", "", &[])?,
+            Faces::Front => crate::program("influence_region", "front", &[Define::new("ONE_SIDED", true)])?,
+        };
         Regions::check(&program, "influence_region")?;
         Ok(InfluenceRegion { program })
     }
@@ -112,6 +131,10 @@ impl InfluenceRegion {
                 sample_first_y: first[1],
                 sample_last_y: last[1],
                 first: piece.start * GROUP,
+                sample_step_x: samples.step[0],
+                sample_step_y: samples.step[1],
+                sample_columns: samples.columns,
+                sample_rows: samples.rows,
             };
             let params = job.value("influence params", &params);
             job.launch(program, "influence_region", &Regions { params, vertices, regions }, [piece.len() as u32, 1, 1]);

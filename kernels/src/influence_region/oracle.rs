@@ -1,10 +1,15 @@
 //! The region of a triangle from the projections of its vertices, as fractions in i128: a column belongs to it iff it lies
 //! between the least and the greatest.
 
-use crate::grid::{Lattice, Point, Receivers, Samples, Triangle, cross, dot, minus};
+use crate::grid::{Faces, Lattice, Point, Receivers, Samples, Triangle, cross, dot, is_front, minus};
 
 /// (first column, last column, first row, last row), as the kernel writes them.
 pub fn region(triangle: &Triangle, samples: &Samples, receivers: &Receivers) -> [i32; 4] {
+    region_by(Faces::Both, triangle, samples, receivers)
+}
+
+/// The same of a triangle that hides by `faces`: projected from the samples that see them.
+pub fn region_by(faces: Faces, triangle: &Triangle, samples: &Samples, receivers: &Receivers) -> [i32; 4] {
     let z = triangle.map(|v| v[2]);
     if z.iter().all(|z| *z <= 0) || z.iter().all(|z| *z >= receivers.height) {
         return [0, -1, 0, -1];
@@ -13,15 +18,21 @@ pub fn region(triangle: &Triangle, samples: &Samples, receivers: &Receivers) -> 
     if z.iter().any(|z| *z <= 0) {
         return [0, columns - 1, 0, rows - 1];
     }
-    let [x0, x1] = span(triangle, samples, receivers, 0, columns);
-    let [y0, y1] = span(triangle, samples, receivers, 1, rows);
+    let seen = (0..samples.count()).map(|s| samples.at(s)).filter(|s| faces == Faces::Both || is_front(*s, triangle));
+    let seen: Vec<Point> = seen.collect();
+    if seen.is_empty() {
+        return [0, -1, 0, -1];
+    }
+    let [x0, x1] = span(triangle, &seen, receivers, 0, columns);
+    let [y0, y1] = span(triangle, &seen, receivers, 1, rows);
     [x0, x1, y0, y1]
 }
 
 /// First and last index along one axis, unclamped bounds outside `0..count` brought to where the kernel clamps them.
-fn span(triangle: &Triangle, samples: &Samples, receivers: &Receivers, axis: usize, count: i32) -> [i32; 2] {
-    let size = [samples.columns, samples.rows][axis] as i32;
-    let ends = [samples.origin[axis], samples.origin[axis] + samples.step[axis] * (size - 1)];
+fn span(triangle: &Triangle, samples: &[Point], receivers: &Receivers, axis: usize, count: i32) -> [i32; 2] {
+    // A projection is the farther aside the farther aside the sample is.
+    let along = || samples.iter().map(|sample| sample[axis]);
+    let ends = [along().fold(i32::MAX, i32::min), along().fold(i32::MIN, i32::max)];
     let height = i128::from(receivers.height);
     let mut points = Vec::new();
     for vertex in triangle {

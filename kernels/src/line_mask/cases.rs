@@ -4,9 +4,9 @@
 use sightlines_backend::host::Buffer;
 use sightlines_backend::{Case, Expected, Job, Outputs, Result, Size};
 
-use super::{LineMask, Resolution, Space, TILE, oracle, record_differ, record_masks};
+use super::{LineMask, Resolution, Space, TILE, oracle, record_differ, record_masks, record_masks_by};
 use crate::field::{Field, Receiver};
-use crate::grid::{Receivers, Samples, Triangle, XY};
+use crate::grid::{Faces, Receivers, Samples, Triangle, XY};
 use crate::influence_region::oracle::region;
 use crate::pattern::Pattern;
 use crate::random;
@@ -91,9 +91,10 @@ pub(super) fn all() -> Vec<Case> {
         table("paper_table_37", halton(37), sampled(6)),
         table("paper_table_992", channels(992), sampled(4)),
         paper_error(),
-        field("field_37", halton(37), exact(6)),
-        field("field_992", channels(992), exact(4)),
-        field("field_paper", halton(64), sampled(6)),
+        field("field_37", halton(37), exact(6), Faces::Both),
+        field("field_992", channels(992), exact(4), Faces::Both),
+        field("field_paper", halton(64), sampled(6), Faces::Both),
+        field("field_front", halton(100), exact(6), Faces::Front),
         thicket("thicket_992", channels(992)),
         thicket("thicket_64", halton(64)),
     ];
@@ -195,7 +196,7 @@ fn solo(
 }
 
 /// Receivers at heights of their own, patterns shifted by up to the light's size, holes; a triangle a tile.
-fn field(name: &str, pattern: Pattern, resolution: Resolution) -> Case {
+fn field(name: &str, pattern: Pattern, resolution: Resolution, faces: Faces) -> Case {
     let below = |bound: u32, index: u32| random::below(bound, SEED, index) as i32;
     let receiver = move |index: u32| {
         let [x, y, z] = SOLO.at(index);
@@ -213,14 +214,15 @@ fn field(name: &str, pattern: Pattern, resolution: Resolution) -> Case {
     let job = move || {
         let mut job = Job::new();
         let tiles = Tiles::solo(TILE, &SOLO);
-        let hidden = record_masks(&mut job, &pattern, resolution, &field(), &tiles, &triangles(&pattern))?;
+        let kernel = LineMask::with_faces(&pattern, resolution, faces)?;
+        let hidden = record_masks_by(&mut job, &kernel, &field(), &tiles, &triangles(&pattern))?;
         job.read("hidden", hidden.id());
         Ok(job)
     };
     let expected = move |_: &Outputs| {
         let (field, tiles, triangles) = (field(), Tiles::solo(TILE, &SOLO), triangles(&answered));
         vec![Expected::Whole(match resolution.space {
-            Space::Exact => oracle::tile_sets(&answered, &field, &tiles, &triangles),
+            Space::Exact => oracle::tile_sets_by(faces, &answered, &field, &tiles, &triangles),
             Space::Sampled => oracle::sampled_sets(&answered, resolution.bits, &field, &tiles, &triangles),
         })]
     };

@@ -31,6 +31,8 @@ import package::shared::wide::{dot64, sgn64};
 
 /// Whether the table is one of certain and possible samples.
 const EXACT: bool = true;
+/// Whether triangles hide by their fronts alone.
+const ONE_SIDED: bool = false;
 /// Receivers of a workgroup along x and y, and all of them.
 const WIDTH: u32 = 4u;
 const HEIGHT: u32 = 4u;
@@ -136,11 +138,21 @@ fn relevant(ln: Line, cell: u32) -> Line {
     return Line(select(ln.a, 0, covers), select(ln.b, 0, covers), select(ln.c, vec2<u32>(0u), covers));
 }
 
+/// Whether r is where the front of a triangle may hide something: behind its plane.
+fn is_behind(r: vec3<i32>, a: vec3<i32>, b: vec3<i32>, c: vec3<i32>) -> bool {
+    return sgn64(dot64(edge_function(a, b, c), a - r)) > 0;
+}
+
 /// Finds lines and cells of a pair; whether it may hide anything.
 fn prepare(pair: u32, triangle: u32, r: Receiver) -> bool {
     let a = vertex(triangle, 0u, r.centre);
     let b = vertex(triangle, 1u, r.centre);
     let c = vertex(triangle, 2u, r.centre);
+    if (ONE_SIDED) {
+        if (!is_behind(r.at, a, b, c)) {
+            return false;
+        }
+    }
     let found = backproject(r.at, a, b, c);
     let x = cell_of(found.first);
     let y = cell_of(found.second);

@@ -12,7 +12,7 @@ use sightlines_backend::host::{Bindings, Buffer};
 use sightlines_backend::{Define, Error, Job, Kernel, Program, Result, bindings, host};
 
 use crate::field::Field;
-use crate::grid::Triangle;
+use crate::grid::{Faces, Triangle};
 use crate::pattern::Pattern;
 use crate::pieces;
 use crate::row_span::Scene;
@@ -29,7 +29,10 @@ pub const KERNEL: Kernel = Kernel {
     name: "line_mask",
     summary: "samples of any pattern that triangles hide, by a table of lines: exact, or the paper's",
     citation: "Eisemann and Décoret, Visibility Sampling on GPU and Applications, 2007, sections 5 and 6",
-    programs: || Ok(vec![builder()?, differ()?, program(Space::Exact)?, program(Space::Sampled)?]),
+    programs: || {
+        let [exact, front] = [Faces::Both, Faces::Front].map(|faces| program(Space::Exact, faces));
+        Ok(vec![builder()?, differ()?, exact?, program(Space::Sampled, Faces::Both)?, front?])
+    },
     cases: cases::all,
 };
 
@@ -206,13 +209,23 @@ pub fn record_masks(
     tiles: &Tiles,
     triangles: &[Triangle],
 ) -> Result<Buffer<[u32]>> {
-    let kernel = LineMask::new(pattern, resolution)?;
+    record_masks_by(job, &LineMask::new(pattern, resolution)?, field, tiles, triangles)
+}
+
+/// [`record_masks`] by a compiled kernel.
+pub fn record_masks_by(
+    job: &mut Job,
+    kernel: &LineMask,
+    field: &Field,
+    tiles: &Tiles,
+    triangles: &[Triangle],
+) -> Result<Buffer<[u32]>> {
     let words = triangles.as_flattened().as_flattened();
     // A binding holds at least one element.
     let vertices = job.slice("vertices", if words.is_empty() { &[0] } else { words });
     let starts = job.slice("starts", &tiles.starts);
     let entries = job.slice("entries", if tiles.entries.is_empty() { &[0] } else { &tiles.entries[..] });
-    let hidden = job.zeroed("hidden", u64::from(field.count()) * u64::from(pattern.words()));
+    let hidden = job.zeroed("hidden", u64::from(field.count()) * u64::from(kernel.pattern.words()));
     let table = kernel.record_table(job);
     kernel.record(job, field, tiles, table, Scene { vertices, starts, entries, hidden })?;
     Ok(hidden)
@@ -253,16 +266,18 @@ pub fn record_differ(
     Ok(())
 }
 
-fn program(space: Space) -> Result<Arc<Program>> {
-    let variant = match space {
+fn program(space: Space, faces: Faces) -> Result<Arc<Program>> {
+    let mut defines = vec![Define::new("EXACT", space == Space::Exact), Define::new("LIST", format!("{LIST}u"))];
+    let mut variant = match space {
         Space::Exact => "exact",
         Space::Sampled => "sampled",
-    };
-    let program = crate::program(
-        "line_mask",
-        variant,
-        &[Define::new("EXACT", space == Space::Exact), Define::new("LIST", format!("{LIST}u"))],
-    )?;
+    }
+    .to_owned();
+    if faces == Faces::Front {
+        defines.push(Define::new("ONE_SIDED", true));
+        variant += "-front";
+    }
+    let program = crate::program("line_mask", &variant, &defines)?;
     Lookups::check(&program, "line_mask")?;
     Ok(program)
 }
@@ -279,15 +294,20 @@ pub struct LineMask {
 }
 
 impl LineMask {
-    /// Compiles it for a pattern and a resolution of its table.
+    /// Compiles it for a pattern, a resolution of its table, and triangles that hide by either face.
     pub fn new(pattern: &Pattern, resolution: Resolution) -> Result<Self> {
+        Self::with_faces(pattern, resolution, Faces::Both)
+    }
+
+    /// Compiles it for triangles that hide by some faces.
+    pub fn with_faces(pattern: &Pattern, resolution: Resolution, faces: Faces) -> Result<Self> {
         let bytes = 4 * resolution.cell_words(pattern.words()) * u64::from(resolution.cells() + 1);
         if !(1..=10).contains(&resolution.bits) || bytes > MAX_TABLE {
             let what = format!("a table of {bytes} bytes: {} bits of direction", resolution.bits);
             return Err(Error::refused(what, format!("use 1 to 10 bits, and at most {MAX_TABLE} bytes")));
         }
         let pattern = pattern.clone();
-        Ok(LineMask { builder: builder()?, program: program(resolution.space)?, pattern, resolution })
+        Ok(LineMask { builder: builder()?, program: program(resolution.space, faces)?, pattern, resolution })
     }
 
     /// Builds the table, in recordings of bounded cost.

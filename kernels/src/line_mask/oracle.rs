@@ -7,7 +7,7 @@ use crate::backprojection::oracle::backproject;
 use crate::exact::oracle::angle::atan2_bam;
 use crate::exact::oracle::line::{Line, half_plane};
 use crate::field::{Field, Receiver};
-use crate::grid::{Point, Receivers, Triangle};
+use crate::grid::{Faces, Point, Receivers, Triangle};
 use crate::pattern::Pattern;
 use crate::tiles::Tiles;
 
@@ -20,9 +20,14 @@ pub fn sets(pattern: &Pattern, receivers: &Receivers, triangles: &[Triangle]) ->
 
 /// The same where a receiver has the triangles of its tile's list alone.
 pub fn tile_sets(pattern: &Pattern, field: &Field, tiles: &Tiles, triangles: &[Triangle]) -> Vec<u32> {
+    tile_sets_by(Faces::Both, pattern, field, tiles, triangles)
+}
+
+/// The same of triangles that hide by `faces`.
+pub fn tile_sets_by(faces: Faces, pattern: &Pattern, field: &Field, tiles: &Tiles, triangles: &[Triangle]) -> Vec<u32> {
     pattern.sets(field.count(), |receiver| {
         let list = tiles.list(receiver % field.columns(), receiver / field.columns());
-        field.hidden_set(receiver, pattern, list.iter().map(|triangle| &triangles[*triangle as usize]))
+        field.hidden_set_by(faces, receiver, pattern, list.iter().map(|triangle| &triangles[*triangle as usize]))
     })
 }
 

@@ -4,7 +4,7 @@
 use sightlines_backend::{Case, Expected, Job, Outputs, Result, Size};
 
 use super::{LIST, RowSpan, Scene, WIDTH, oracle};
-use crate::grid::{Receivers, Samples, Triangle, hidden_set};
+use crate::grid::{Faces, Receivers, Samples, Triangle, hidden_set, hidden_set_by};
 use crate::influence_region::oracle::region;
 use crate::random;
 use crate::tiles::Tiles;
@@ -43,13 +43,18 @@ pub(super) fn all() -> Vec<Case> {
         small("one_receiver", full, Receivers { columns: 1, rows: 1, ..FEW }, mixed),
         small("crowd", full, Receivers { columns: 9, rows: 1, ..FEW }, slivers),
         small("nobody_sees_more", full, Receivers { columns: 4, rows: 3, ..FEW }, curtain),
+        small_by(Faces::Front, "front_256", light(128, 16, 16), FEW, mixed),
+        small_by(Faces::Front, "front_64", light(64, 8, 8), FEW, mixed),
+        small_by(Faces::Front, "front_32", light(512, 8, 4), FEW, mixed),
         long_list(),
         thicket(),
     ];
-    cases.extend(Family::ALL.map(|family| {
-        let make = move |s: &Samples, r: &Receivers| family.triangles(SOLO_TILES, s, r, 3);
-        solo(&format!("family_{}", family.name()), full, make)
-    }));
+    for (faces, prefix) in [(Faces::Both, "family"), (Faces::Front, "front")] {
+        cases.extend(Family::ALL.map(|family| {
+            let make = move |s: &Samples, r: &Receivers| family.triangles(SOLO_TILES, s, r, 3);
+            solo(faces, &format!("{prefix}_{}", family.name()), full, make)
+        }));
+    }
     cases
 }
 
@@ -82,7 +87,17 @@ fn tiles(samples: &Samples, receivers: &Receivers, triangles: &[Triangle], tile_
 }
 
 fn job(samples: &Samples, receivers: &Receivers, triangles: &[Triangle], tiles: &Tiles) -> Result<Job> {
-    let kernel = RowSpan::new(samples)?;
+    job_by(Faces::Both, samples, receivers, triangles, tiles)
+}
+
+fn job_by(
+    faces: Faces,
+    samples: &Samples,
+    receivers: &Receivers,
+    triangles: &[Triangle],
+    tiles: &Tiles,
+) -> Result<Job> {
+    let kernel = RowSpan::with_faces(samples, faces)?;
     let mut job = Job::new();
     let words: Vec<i32> = triangles.iter().flatten().flatten().copied().collect();
     // A binding holds at least one element.
@@ -106,20 +121,31 @@ fn small(
     receivers: Receivers,
     make: impl Fn(&Samples, &Receivers) -> Vec<Triangle> + Clone + Send + Sync + 'static,
 ) -> Case {
+    small_by(Faces::Both, name, samples, receivers, make)
+}
+
+fn small_by(
+    faces: Faces,
+    name: &str,
+    samples: Samples,
+    receivers: Receivers,
+    make: impl Fn(&Samples, &Receivers) -> Vec<Triangle> + Clone + Send + Sync + 'static,
+) -> Case {
     let triangles = make.clone();
     let job = move || {
         let triangles = triangles(&samples, &receivers);
-        job(&samples, &receivers, &triangles, &tiles(&samples, &receivers, &triangles, 4))
+        job_by(faces, &samples, &receivers, &triangles, &tiles(&samples, &receivers, &triangles, 4))
     };
     let expected = move |_: &Outputs| {
         let triangles = make(&samples, &receivers);
-        vec![Expected::Whole(oracle::sets(&samples, &receivers, &triangles))]
+        vec![Expected::Whole(oracle::sets_by(faces, &samples, &receivers, &triangles))]
     };
     Case::new(name, Size::Small, job, expected).probes(probes(&samples, &receivers))
 }
 
 /// A triangle for each tile: many together hide all, and would hide a bit too much as well.
 fn solo(
+    faces: Faces,
     name: &str,
     samples: Samples,
     make: impl Fn(&Samples, &Receivers) -> Vec<Triangle> + Clone + Send + Sync + 'static,
@@ -127,11 +153,11 @@ fn solo(
     let tiles = Tiles::solo([WIDTH, 4], &SOLO);
     let triangles = make.clone();
     let lists = tiles.clone();
-    let job = move || job(&samples, &SOLO, &triangles(&samples, &SOLO), &lists);
+    let job = move || job_by(faces, &samples, &SOLO, &triangles(&samples, &SOLO), &lists);
     let expected = move |_: &Outputs| {
         let triangles = make(&samples, &SOLO);
         let list = |x, y| tiles.list(x, y).iter().map(|&triangle| &triangles[triangle as usize]);
-        let set = |at: u32| hidden_set(SOLO.at(at), &samples, list(at % SOLO.columns, at / SOLO.columns));
+        let set = |at: u32| hidden_set_by(faces, SOLO.at(at), &samples, list(at % SOLO.columns, at / SOLO.columns));
         let sets: Vec<Vec<u32>> = (0..SOLO.count()).map(set).collect();
         vec![Expected::Whole((0..samples.words() as usize).flat_map(|w| sets.iter().map(move |s| s[w])).collect())]
     };

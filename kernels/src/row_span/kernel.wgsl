@@ -16,6 +16,9 @@
 //   the other. Numbers of 18 binary places hold a and b; where x is too near to a whole number for their error, the
 //   sign of x - k decides, a sum of two products of integers.
 //
+// Of a one-sided triangle (`ONE_SIDED`) the edge whose crossing is the left one, seen from where the front hides, is known by
+// its turn: the span is from that crossing to the other, and empty where the back would hide. docs/numerics.md has the proof.
+//
 // One workgroup serves WIDTH by HEIGHT receivers. Invocations first are triangles, 256 of the list at a time, and find
 // which rows of samples they meet for each row of receivers. Each such pair is an item; items wait on a stack until
 // there is one for every invocation. Then invocations are items, and each finds its spans for those of WIDTH receivers
@@ -32,6 +35,8 @@ const COLUMNS: u32 = 32u;
 const ROWS: u32 = 32u;
 /// Entries of a list that a launch takes.
 const LIST: u32 = 4096u;
+/// Whether triangles hide by their fronts alone.
+const ONE_SIDED: bool = false;
 /// Receivers of one workgroup along x.
 const WIDTH: u32 = 16u;
 /// Receivers of one workgroup along y.
@@ -249,8 +254,11 @@ fn take(item: u32, x0: i32, y0: i32, count: u32) {
         return;
     }
     let alone = select(select(c, b, is_b), a, is_a);
-    let one = edge(alone, select(select(a, c, is_b), b, is_a));
-    let two = edge(alone, select(select(b, a, is_b), c, is_a));
+    let next = select(select(a, c, is_b), b, is_a);
+    let last = select(select(b, a, is_b), c, is_a);
+    let turned = ONE_SIDED & (alone.w > 0);
+    let one = edge(alone, select(next, last, turned));
+    let two = edge(alone, select(last, next, turned));
     spans(one, two, (j * HEIGHT + line) * WIDTH, x0, count);
 }
 
@@ -269,6 +277,16 @@ fn receivers_met(first: Crossing, second: Crossing, count: u32) -> vec2<u32> {
     );
 }
 
+/// The end of a span where it begins: the first where the order tells the face, else the lower.
+fn start_of(x: i32, y: i32) -> i32 {
+    return select(min(x, y), x, ONE_SIDED);
+}
+
+/// The end of a span where it ends.
+fn end_of(x: i32, y: i32) -> i32 {
+    return select(max(x, y), y, ONE_SIDED);
+}
+
 /// Adds the samples between two edges to the masks of `count` receivers, from `place` on.
 fn spans(one: Edge, two: Edge, place: u32, x0: i32, count: u32) {
     let first = crossing(one, x0);
@@ -281,14 +299,14 @@ fn spans(one: Edge, two: Edge, place: u32, x0: i32, count: u32) {
     let seeing = max(met.y, met.x) - met.x;
     let begin = place + met.x;
     for (var i = 0u; i < seeing; i += 1u) {
-        var low = min(x, y) >> 18u;
-        var high = max(x, y) >> 18u;
+        var low = start_of(x, y) >> 18u;
+        var high = end_of(x, y) >> 18u;
         if (min(x & FRACTION, y & FRACTION) <= 2 * doubt) {
             let rx = x0 + params.view.receiver_step_x * bitcast<i32>(met.x + i);
             let from_one = before(one, rx, x - ONE - doubt, first.doubt < ONE);
             let from_two = before(two, rx, y - ONE - doubt, second.doubt < ONE);
-            low = min(from_one, from_two);
-            high = max(from_one, from_two);
+            low = start_of(from_one, from_two);
+            high = end_of(from_one, from_two);
         }
         low = max(low, 0);
         high = min(high, bitcast<i32>(COLUMNS));

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use sightlines_backend::host::{Bindings, Buffer};
 use sightlines_backend::{Command, Define, Error, Job, Kernel, Program, Result, bindings, host};
 
-use crate::grid::{Receivers, Samples, Triangle, View};
+use crate::grid::{Faces, Receivers, Samples, Triangle, View};
 use crate::pieces;
 use crate::tiles::{Launch, Tiles};
 
@@ -21,7 +21,11 @@ pub const KERNEL: Kernel = Kernel {
     name: "row_span",
     summary: "samples of a regular light that triangles hide from each receiver, row by row and exactly",
     citation: "Eisemann and Décoret, Visibility Sampling on GPU and Applications, 2007, sections 4 and 5",
-    programs: || [(32, 32), (16, 16), (8, 8), (8, 4)].map(|(c, r)| program(c, r)).into_iter().collect(),
+    programs: || {
+        let lights = [(32, 32), (16, 16), (8, 8), (8, 4)];
+        let both = [Faces::Both, Faces::Front].into_iter();
+        both.flat_map(|faces| lights.map(|(columns, rows)| program(columns, rows, faces))).collect()
+    },
     cases: cases::all,
 };
 
@@ -73,10 +77,15 @@ pub fn is_between(triangle: &Triangle, height: i32) -> bool {
     triangle.iter().all(|v| (1..height).contains(&v[2]))
 }
 
-fn program(columns: u32, rows: u32) -> Result<Arc<Program>> {
+fn program(columns: u32, rows: u32, faces: Faces) -> Result<Arc<Program>> {
     let values = [("COLUMNS", columns), ("ROWS", rows), ("LIST", LIST), ("WIDTH", WIDTH), ("HEIGHT", HEIGHT)];
-    let defines = values.map(|(name, value)| Define::new(name, format!("{value}u")));
-    let program = crate::program("row_span", &format!("{columns}x{rows}"), &defines)?;
+    let mut defines = values.map(|(name, value)| Define::new(name, format!("{value}u"))).to_vec();
+    let mut variant = format!("{columns}x{rows}");
+    if faces == Faces::Front {
+        defines.push(Define::new("ONE_SIDED", true));
+        variant += "-front";
+    }
+    let program = crate::program("row_span", &variant, &defines)?;
     Spans::check(&program, "row_span")?;
     Ok(program)
 }
@@ -101,10 +110,15 @@ pub struct RowSpan {
 }
 
 impl RowSpan {
-    /// Compiles it for as many columns and rows as `samples` has.
+    /// Compiles it for as many columns and rows as `samples` has, and triangles that hide by either face.
     pub fn new(samples: &Samples) -> Result<Self> {
+        Self::with_faces(samples, Faces::Both)
+    }
+
+    /// Compiles it for triangles that hide by some faces.
+    pub fn with_faces(samples: &Samples, faces: Faces) -> Result<Self> {
         samples.check()?;
-        Ok(RowSpan { program: program(samples.columns, samples.rows)?, samples: *samples })
+        Ok(RowSpan { program: program(samples.columns, samples.rows, faces)?, samples: *samples })
     }
 
     /// Adds the samples that the tiles' triangles hide to `hidden`, in recordings of bounded cost.

@@ -1,6 +1,7 @@
 //! `sightlines shadows`: a scene in, pictures of what receivers see of its lights and their sets out, and a short report.
 
 pub(crate) mod args;
+mod filtered;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -15,6 +16,7 @@ use sightlines_visibility::shadows::expose::{Exposed, Exposure, expose};
 use sightlines_visibility::shadows::lightmap::dilate;
 use sightlines_visibility::shadows::reading::Reading;
 use sightlines_visibility::shadows::surface::Surface;
+use sightlines_visibility::simplify::{Simplified, Target, simplify, tolerance};
 use sightlines_visibility::{scene, sets};
 
 use self::args::{ResultName, ShadowsArgs};
@@ -104,12 +106,18 @@ impl Total {
 
 /// Bakes, writes and reports.
 pub(crate) fn run(args: &ShadowsArgs, out: &mut dyn Write) -> Result<(), Failure> {
-    let setup = setup(args)?;
+    let mut setup = setup(args)?;
+    let simplified = args.simplify.map(|target| simplified(&mut setup, target)).transpose()?;
     args.check(setup.lights.len(), setup.motion.is_some())?;
     let outputs = Outputs::new(args, setup.lights.len());
     targets::check(outputs.paths())?;
     let backend = machine::open(&args.machine, args.counts)?;
     describe(&setup, out)?;
+    if let Some(Simplified { before, moved, hash, .. }) = &simplified {
+        let after = setup.scene.triangle_count();
+        writeln!(out, "simplified {before} to {after} triangles, moved by {moved:.3e} units at most")?;
+        writeln!(out, "           {hash}")?;
+    }
     let mut time = Duration::ZERO;
     let mut total = Total::default();
     for number in 0..setup.lights.len() {
@@ -121,7 +129,10 @@ pub(crate) fn run(args: &ShadowsArgs, out: &mut dyn Write) -> Result<(), Failure
         }
         total.add(&exposed, args.result);
     }
-    let peak = write(args, &setup, &outputs, &total)?;
+    let peak = match args.map {
+        Some(side) => filtered::write(args, &setup, &outputs, &total, &*backend, side, out).map(|()| None)?,
+        None => write(args, &setup, &outputs, &total)?,
+    };
     conclude(&backend.info(), &setup, &total, time, out)?;
     if let Some(peak) = peak {
         writeln!(out, "white      {peak:.6e} of a radiance of 1")?;
@@ -180,6 +191,20 @@ fn setup(args: &ShadowsArgs) -> sightlines_visibility::Result<Setup> {
         (None, Some(model), _) => Setup::new(scene::load(model)?, &settings),
         (None, None, generator) => Setup::new(scene::generate(generator.unwrap_or(scene::Generator::Palms)), &settings),
     }
+}
+
+/// Puts a simplified scene in the place of a setup's, whose light and receiver stay.
+fn simplified(setup: &mut Setup, target: Target) -> sightlines_visibility::Result<Simplified> {
+    if matches!(setup.surface, Surface::Lightmap(_)) {
+        let remedy = "leave out one of the two: receivers on the full mesh would be hidden by the coarse one";
+        return Err(Place::default()
+            .element("--simplify")
+            .error("a lightmap is of the mesh that is simplified", remedy));
+    }
+    let limit = tolerance(&setup.scene, &setup.lights[0].rect, setup.sampling.count, &setup.receiver);
+    let simplified = simplify(&setup.scene, target, limit)?;
+    setup.scene = simplified.scene.clone();
+    Ok(simplified)
 }
 
 fn describe(setup: &Setup, out: &mut dyn Write) -> Result<(), Failure> {

@@ -192,7 +192,7 @@ impl Walk<'_> {
                 let corners = map.as_ref().map(|map| triangle.map(|i| map.get(i as usize).copied().map(corner)));
                 match corners {
                     Some([Some(a), Some(b), Some(c)]) => part.uvs.push([a, b, c]),
-                    _ if !part.uvs.is_empty() => part.uvs.push(UNMAPPED),
+                    _ if map.is_some() || !part.uvs.is_empty() => part.uvs.push(UNMAPPED),
                     _ => {}
                 }
             }

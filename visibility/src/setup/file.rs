@@ -4,6 +4,7 @@
 //! model = "model.glb"        # beside this file; or: generator = "palms"
 //! up = "y"                   # or "z"
 //! light_size = 0.4           # side of the default light in radii of the scene, where no light is given
+//! faces = "front"            # which faces hide: "both", "front" or "back"
 //! resolution = 512           # texels a side of the receiver
 //! samples = 1024             # of each light, 1 to 65536
 //! pattern = "halton"         # "grid", "jittered", "halton", "blue-noise", or a file of points beside this one
@@ -28,6 +29,7 @@
 //! v = [0.0, 0.0, 8.0]        # rows of the image
 //! heights = "ground.png"     # moves it towards the light: white is height_scale; or "bumps"
 //! height_scale = 0.5
+//! self = true                # the heights cast shadows on themselves
 //!
 //! [motion]                   # light is accumulated over frames
 //! offset = [1.0, 0.0, 0.0]
@@ -50,10 +52,10 @@ use super::{
 use crate::error::{Place, Result};
 use crate::input;
 use crate::scene::{self, Generator, Scene, limit};
-use crate::shadows::Rect;
 use crate::shadows::expose::Sampling;
 use crate::shadows::placement::Placement;
 use crate::shadows::surface::{HeightMap, Surface};
+use crate::shadows::{Faces, Rect};
 
 /// Largest scene file, in bytes: it holds a few numbers.
 const MAX_BYTES: u64 = 1 << 20;
@@ -70,6 +72,7 @@ struct File {
     pattern: Option<Spanned<String>>,
     seed: Option<u32>,
     decorrelated: Option<bool>,
+    faces: Option<Faces>,
     word_bits: Option<u32>,
     colours: Option<Spanned<u32>>,
     lightmap: Option<bool>,
@@ -87,6 +90,8 @@ struct Receiver {
     v: [f64; 3],
     heights: Option<String>,
     height_scale: Option<f64>,
+    #[serde(rename = "self")]
+    own: Option<bool>,
 }
 
 #[derive(Deserialize)]
@@ -158,7 +163,9 @@ pub(super) fn load(path: &Path, settings: &Settings) -> Result<Setup> {
     let part = file.motion.as_ref().and_then(|motion| motion.get_ref().part.clone());
     let motion = moves(&place, settings.motion, settings.frames, part, &scene)?;
     let surface = Surface::Plane(receiver);
-    let mut setup = Setup { scene, up, lights: vec![light.into()], receiver, surface, resolution, sampling, motion };
+    let faces = settings.faces.unwrap_or_default();
+    let lights = vec![light.into()];
+    let mut setup = Setup { scene, faces, up, lights, receiver, surface, resolution, sampling, motion };
     place_rects(&source, &file, &settings, &mut setup)?;
     Ok(setup)
 }
@@ -174,7 +181,8 @@ fn merged(source: &Source<'_>, settings: &Settings, file: &File) -> Result<Setti
         }),
         (None, None) => None,
     };
-    let heights = match (&settings.heights, file.receiver.as_ref().map(Spanned::get_ref)) {
+    let receiver = file.receiver.as_ref().map(Spanned::get_ref);
+    let heights = match (&settings.heights, receiver) {
         (None, Some(Receiver { heights: Some(name), height_scale, .. })) => {
             Some(HeightMap::named(&source.beside(name), name, height_scale.unwrap_or(1.0))?)
         }
@@ -183,8 +191,10 @@ fn merged(source: &Source<'_>, settings: &Settings, file: &File) -> Result<Setti
     Ok(Settings {
         placement,
         heights,
+        self_shadow: settings.self_shadow.or(receiver.and_then(|receiver| receiver.own)),
         seed: settings.seed.or(file.seed),
         decorrelated: settings.decorrelated.or(file.decorrelated),
+        faces: settings.faces.or(file.faces),
         word_bits: settings.word_bits.or(file.word_bits),
         lightmap: settings.lightmap.or(file.lightmap),
         motion: settings.motion.or(motion.map(|motion| motion.offset)),

@@ -1,8 +1,9 @@
 //! Blue noise: an order of the cells of a torus in which every prefix keeps its points apart.
 //!
-//! R. Ulichney, "The void-and-cluster method for dither array generation" (SPIE 1913, 1993), section 3: a binary pattern is
-//! relaxed until its tightest cluster is its largest void, its points are then ranked by taking clusters away, and the rest
-//! by filling voids. Energies are whole numbers, ties go to the lower cell, so that the order is one and the same everywhere.
+//! R. Ulichney, "The void-and-cluster method for dither array generation" (SPIE 1913, 1993), section 3: a binary
+//! pattern is relaxed until its tightest cluster is its largest void, its points are then ranked by taking clusters
+//! away, and the rest by filling voids. Energies are whole numbers, ties go to the lower cell, so that the order is one
+//! and the same everywhere.
 
 use std::sync::OnceLock;
 

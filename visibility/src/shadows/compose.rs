@@ -220,7 +220,13 @@ impl Band<'_> {
     fn regions(&self, job: &mut Job, triangles: &[Triangle]) -> Result<[Buffer<[i32]>; 2]> {
         let vertices = job.slice("vertices between", triangles.as_flattened().as_flattened());
         let regions = job.zeroed("regions", 4 * triangles.len() as u64);
-        InfluenceRegion::new()?.record(job, &self.scene.samples, self.receivers, vertices, regions)?;
+        InfluenceRegion::with_faces(self.scene.faces)?.record(
+            job,
+            &self.scene.samples,
+            self.receivers,
+            vertices,
+            regions,
+        )?;
         Ok([vertices, regions])
     }
 
@@ -230,7 +236,7 @@ impl Band<'_> {
         let [vertices, regions] = self.regions(job, &self.scene.between[triangles.clone()])?;
         let entries = job.zeroed("tile entries", *entries);
         let starts = TileLists::new()?.record(job, *grid, regions, entries)?;
-        let kernel = RowSpan::new(&self.scene.samples)?;
+        let kernel = RowSpan::with_faces(&self.scene.samples, self.scene.faces)?;
         let room = kernel.room(job);
         Ok(Sorted { kernel, grid: *grid, scene: Scene { vertices, starts, entries, hidden }, room })
     }
@@ -241,7 +247,7 @@ impl Band<'_> {
         if !crossing.is_empty() {
             let vertices = job.slice("vertices crossing", crossing.as_flattened().as_flattened());
             let all = 0..crossing.len() as u32;
-            HalfPlanes::new(samples)?.record(job, self.receivers, vertices, all, hidden)?;
+            HalfPlanes::with_faces(samples, self.scene.faces)?.record(job, self.receivers, vertices, all, hidden)?;
             work.pairs += u64::from(self.receivers.count()) * crossing.len() as u64;
         }
         let shape = Shape { receivers: self.receivers.count(), samples: samples.count(), bits: 32 };

@@ -19,7 +19,7 @@ use super::passes::Pass;
 use super::placement::{Placement, Point};
 use super::snap::{Frame, is_aligned};
 use super::surface::Surface;
-use super::{Bake, Effort, MAX_WORDS, Request, SAMPLES, Sets, Work, bake_with};
+use super::{Bake, Effort, Faces, MAX_WORDS, Request, SAMPLES, Sets, Work, bake_with};
 use crate::error::{Place, Result};
 use crate::vector::{Vector, add, length};
 
@@ -31,6 +31,8 @@ pub const COLOURS: usize = 24;
 pub struct Exposure {
     /// Everything that casts a shadow, in scene units.
     pub triangles: Vec<[[f64; 3]; 3]>,
+    /// Which faces of it hide.
+    pub faces: Faces,
     /// The light.
     pub light: Light,
     /// What receives.
@@ -63,13 +65,14 @@ impl Exposure {
     }
 
     /// What casts shadows in each frame: what rests, and what moves where it is then.
-    pub(super) fn frames(&self) -> impl Iterator<Item = impl Iterator<Item = [Vector; 3]>> {
+    pub(super) fn frames(&self) -> Result<impl Iterator<Item = impl Iterator<Item = [Vector; 3]>>> {
+        let own = self.surface.casters(&self.light.rect)?;
         let rest = || Motion { triangles: Vec::new(), offsets: vec![[0.0; 3]] };
         let Motion { triangles: moving, offsets } = self.motion.clone().unwrap_or_else(rest);
-        offsets.into_iter().map(move |offset| {
-            let moved: Vec<[Vector; 3]> = moving.iter().map(|t| t.map(|p| add(p, offset))).collect();
+        Ok(offsets.into_iter().map(move |offset| {
+            let moved: Vec<[Vector; 3]> = moving.iter().map(|t| t.map(|p| add(p, offset))).chain(own.clone()).collect();
             self.triangles.iter().copied().chain(moved)
-        })
+        }))
     }
 
     /// The request of [`bake`](super::bake), where that can do it: its kernels are faster.
@@ -80,6 +83,7 @@ impl Exposure {
         let is_plain = self.is_at_rest() && !self.light_sums && light.is_plain() && *sampling == plain;
         (is_plain && SAMPLES.contains(&sampling.count) && is_aligned(&frame, receiver)).then(|| Request {
             triangles: self.triangles.clone(),
+            faces: self.faces,
             light: light.rect,
             receiver: *receiver,
             resolution: *resolution,
@@ -181,6 +185,8 @@ pub struct Prepared {
     pub normals: Vec<[i32; 3]>,
     /// What casts shadows, frame after frame.
     pub frames: Vec<Vec<Triangle>>,
+    /// Which faces of that hide.
+    pub faces: grid::Faces,
     /// The samples, pass after pass.
     pub passes: Vec<Pattern>,
     /// The colours of the light, and which of them each sample has.
@@ -255,7 +261,8 @@ pub fn prepare(exposure: &Exposure) -> Result<Prepared> {
     let stands = |(index, at): (u32, &[i32; 3])| Receiver { at: *at, shift: shift(index) };
     let field = Field::new(*resolution, (0..).zip(&receivers).map(stands).collect())?;
     let palette = Palette::new(&colours, sampling.colours);
-    Ok(Prepared { field, normals, frames, passes, palette, cell })
+    let faces = exposure.faces.of_kernels();
+    Ok(Prepared { field, normals, frames, faces, passes, palette, cell })
 }
 
 /// Exposes receivers to a light on `backend`; `progress` is called with the share of the work that is done, from 0 to
@@ -270,7 +277,7 @@ pub fn expose(backend: &dyn Backend, exposure: &Exposure, progress: &mut dyn FnM
     }
     let mut prepared = prepare(exposure)?;
     let mut exposed = empty(exposure, &prepared);
-    if exposure.effort.cull {
+    if exposure.effort.cull && exposure.faces == Faces::Both {
         exposed.work += prepared.cull();
     }
     let runs = prepared.frames.len() * prepared.passes.len();

@@ -1,8 +1,9 @@
 //! Any receivers on the grid of a light: the one place where such a scene is rounded.
 //!
-//! A plane along the light is [`snap`](super::snap)'s, whose receivers fall on the grid exactly. Else the cell is the least that
-//! lets light, receivers and casters fit, and all go to the nearest grid point; receivers of a lightmap are moved by their bias
-//! first. Receivers that are not in front of the light are none. Triangles are cut at the light's plane before they are rounded.
+//! A plane along the light is [`snap`](super::snap)'s, whose receivers fall on the grid exactly. Else the cell is the
+//! least that lets light, receivers and casters fit, and all go to the nearest grid point; receivers of a lightmap or a
+//! relief are moved by their bias first. Receivers that are not in front of the light are none. Triangles are cut at
+//! the light's plane before they are rounded.
 
 use sightlines_kernels::grid::{Samples, Triangle, XY, Z};
 use sightlines_kernels::irradiance::UNIT;
@@ -44,7 +45,7 @@ pub(super) fn fit(exposure: &Exposure) -> Result<Fitted> {
         {
             parallel(exposure, rect)
         }
-        Surface::Plane(rect) | Surface::Heights(rect, _) | Surface::View(rect, _) => {
+        Surface::Plane(rect) | Surface::Heights(rect, _) | Surface::Relief(rect, _) | Surface::View(rect, _) => {
             check_area(rect, "receiver")?;
             nearest(exposure, &frame)
         }
@@ -53,12 +54,13 @@ pub(super) fn fit(exposure: &Exposure) -> Result<Fitted> {
 }
 
 fn parallel(exposure: &Exposure, receiver: &Rect) -> Result<Fitted> {
-    let Exposure { triangles, light, resolution, sampling, .. } = exposure;
+    let Exposure { triangles, faces, light, resolution, sampling, .. } = exposure;
     let is_regular =
         SAMPLES.contains(&sampling.count) && sampling.placement == Placement::Grid && light.form == Form::Whole;
     let samples = if is_regular { sampling.count } else { SAMPLES[0] };
     let request = Request {
         triangles: triangles.clone(),
+        faces: *faces,
         light: light.rect,
         receiver: *receiver,
         resolution: *resolution,
@@ -119,8 +121,9 @@ fn nearest(exposure: &Exposure, frame: &Frame) -> Result<Fitted> {
         return refuse("no receiver lies in front of the light", "move the light, or turn it: it shines along u x v");
     }
     let frames: Vec<Vec<[Vector; 3]>> = exposure
-        .frames()
-        .map(|triangles| triangles.flat_map(|t| cut(t.map(|p| frame.point(p)))).filter(|t| extent.meets(t)).collect())
+        .frames()?
+        .map(|triangles| triangles.map(|t| exposure.faces.turned(t.map(|p| frame.point(p)))))
+        .map(|triangles| triangles.flat_map(cut).filter(|t| extent.meets(t)).collect())
         .collect();
     frames.iter().flatten().flatten().for_each(|p| extent.hold(*p));
     let size = |axis: usize| extent.high[axis] - extent.low[axis];
@@ -133,7 +136,8 @@ fn nearest(exposure: &Exposure, frame: &Frame) -> Result<Fitted> {
     let middle = [0, 1].map(|axis| (extent.low[axis] + extent.high[axis]) / 2.0);
     let xy = |axis: usize, x: f64| ((x - middle[axis]) / cell).round() as i32;
     let point = |p: Vector| [xy(0, p[0]), xy(1, p[1]), (p[2] / cell).round() as i32];
-    let bias = if matches!(exposure.surface, Surface::Lightmap(_)) { BIAS * cell } else { 0.0 };
+    let is_biased = matches!(exposure.surface, Surface::Lightmap(_) | Surface::Relief(..));
+    let bias = if is_biased { BIAS * cell } else { 0.0 };
     let stand = |spot: &Option<Spot>| match spot {
         Some(Spot { at, normal }) => point(add(*at, scale(*normal, bias))),
         None => [0; 3],

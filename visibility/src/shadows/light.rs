@@ -1,8 +1,8 @@
 //! Lights: a rectangle, where in it the light shines, and in which colours.
 //!
 //! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 8: any planar light is a rectangle with
-//! samples only where there is light, and samples of one colour are a group with a mask of its own. Forms are told in units
-//! of 2^-16 of the rectangle's sides, so that what is lit is decided in integers.
+//! samples only where there is light, and samples of one colour are a group with a mask of its own. Forms are told in
+//! units of 2^-16 of the rectangle's sides, so that what is lit is decided in integers.
 
 use std::collections::HashMap;
 use std::io::Cursor;
@@ -138,7 +138,8 @@ impl Area {
         (0..count).map(tube).collect()
     }
 
-    /// Whether the ray from a point along +u crosses an odd number of edges; an edge holds its lower end and not its upper.
+    /// Whether the ray from a point along +u crosses an odd number of edges; an edge holds its lower end and not its
+    /// upper.
     fn holds(&self, [u, v]: Point) -> bool {
         let (u, v) = (i64::from(u), i64::from(v));
         let edges = self.corners.iter().zip(self.corners.iter().cycle().skip(1));
@@ -224,8 +225,8 @@ pub struct Palette {
 }
 
 impl Palette {
-    /// At most `most` colours for samples of these colours: those that there are, or else their means in the cells of the finest
-    /// even division of the channels that leaves no more than `most` of them.
+    /// At most `most` colours for samples of these colours: those that there are, or else their means in the cells of
+    /// the finest even division of the channels that leaves no more than `most` of them.
     ///
     /// # Panics
     ///

@@ -1,13 +1,15 @@
 //! Lightmaps: receivers at the texels that a mesh's texture coordinates cover, and gutters around what they show.
 //!
-//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 11, names lightmaps as a use of hidden-sample
-//! maps. A texel belongs to the triangle whose texture coordinates hold its centre, ties by the top-left rule, so charts that
-//! share an edge share no texel; a texel held twice is an error that names both triangles. The receiver stands where the
-//! texel's centre is on its triangle, moved along the triangle's normal by [`BIAS`] cells of the grid, before it is rounded.
+//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 11, names lightmaps as a use of
+//! hidden-sample maps. A texel belongs to the triangle whose texture coordinates hold its centre, ties by the top-left
+//! rule, so charts that share an edge share no texel; a texel held twice is an error that names both triangles. The
+//! receiver stands where the texel's centre is on its triangle, moved along the triangle's normal by [`BIAS`] cells of
+//! the grid, before it is rounded.
 //!
-//! The bias is what keeps a flat surface from hiding from itself: vertices and receivers are rounded by at most √3/2 cells, so
-//! a receiver is more than BIAS − √3 > 0 cells in front of the rounded surface around it, and a segment to a sample that is no
-//! nearer to that surface does not come back to it. What the rounded scene hides from the moved receiver is the definition.
+//! The bias is what keeps a flat surface from hiding from itself: vertices and receivers are rounded by at most √3/2
+//! cells, so a receiver is more than BIAS − √3 > 0 cells in front of the rounded surface around it, and a segment to a
+//! sample that is no nearer to that surface does not come back to it. What the rounded scene hides from the moved
+//! receiver is the definition.
 
 use crate::error::{Place, Result};
 use crate::scene::{Scene, UNMAPPED};
@@ -141,7 +143,8 @@ fn top_left(a: [i64; 2], b: [i64; 2]) -> bool {
     y < 0 || y == 0 && x > 0
 }
 
-/// Fills texels without a value that touch ones with one, `rounds` times: the mean of those among their eight neighbours.
+/// Fills texels without a value that touch ones with one, `rounds` times: the mean of those among their eight
+/// neighbours.
 pub fn dilate<const N: usize>(side: usize, values: &mut [Option<[f64; N]>], rounds: u32) {
     for _ in 0..rounds {
         let before = values.to_vec();

@@ -2,11 +2,12 @@
 //!
 //! E. A. Haines and J. R. Wallace, "Shaft culling for efficient ray-cast radiosity" (1991): between the box of a tile's
 //! receivers and the light's rectangle runs a shaft, and what lies outside one of its planes hides nothing there. Tiles
-//! are found by halving the field, and each half is given what its parent's shaft let through. All in integers; a list
-//! that holds too much changes no bit, and one that held too little would be seen by the tests against the definition.
+//! are found by halving the field, and each half is given what its parent's shaft let through. Of one-sided triangles
+//! those go too whose fronts no sample sees, or whose backs are turned to no receiver. All in integers; a list that
+//! holds too much changes no bit, and one that held too little would be seen by the tests against the definition.
 
 use sightlines_kernels::field::{Field, Receiver};
-use sightlines_kernels::grid::Triangle;
+use sightlines_kernels::grid::{Faces, Triangle};
 use sightlines_kernels::tiles::Tiles;
 
 /// Least and greatest coordinates.
@@ -65,17 +66,32 @@ impl Shaft {
     }
 }
 
+/// Whether the front of a triangle may be between the light and some receiver of a shaft: it needs a sample before it,
+/// and a receiver behind it. In 64 bits: a normal's components are below 2^31, differences below 2^16.
+fn shows_front(triangle: &Triangle, shaft: &Shaft) -> bool {
+    let [a, b, c] = triangle.map(|p| p.map(i64::from));
+    let [d, e]: [[i64; 3]; 2] = [b, c].map(|p| std::array::from_fn(|k| p[k] - a[k]));
+    let n = [d[1] * e[2] - d[2] * e[1], d[2] * e[0] - d[0] * e[2], d[0] * e[1] - d[1] * e[0]];
+    let height = |axis: usize, x: i32| n[axis] * (i64::from(x) - a[axis]);
+    let most = |axis: usize, [from, to]: [i32; 2]| height(axis, from).max(height(axis, to));
+    let least = |axis: usize, [from, to]: [i32; 2]| height(axis, from).min(height(axis, to));
+    let light = |axis: usize| [shaft.light[0][axis], shaft.light[1][axis]];
+    let receivers = |axis: usize| [shaft.receivers[0][axis], shaft.receivers[1][axis]];
+    most(0, light(0)) + most(1, light(1)) + height(2, 0) > 0
+        && (0..3).map(|axis| least(axis, receivers(axis))).sum::<i64>() < 0
+}
+
 /// On which side of the line through (0, 0) and (x, z) the point (a, b) is: below 0 is towards smaller x.
 fn side(a: i32, b: i32, x: i32, z: i32) -> i64 {
     i64::from(a) * i64::from(z) - i64::from(x) * i64::from(b)
 }
 
 /// The lists of all tiles of `size` receivers.
-pub(super) fn tiles(size: [u32; 2], field: &Field, light: Extent, triangles: &[Triangle]) -> Tiles {
+pub(super) fn tiles(size: [u32; 2], field: &Field, light: Extent, triangles: &[Triangle], faces: Faces) -> Tiles {
     let count = [field.columns().div_ceil(size[0]), field.rows().div_ceil(size[1])];
     let mut lists = vec![Vec::new(); (count[0] * count[1]) as usize];
     let all = (0..triangles.len() as u32).collect();
-    split(&Halving { size, count, field, light, triangles }, [0, count[0]], [0, count[1]], all, &mut lists);
+    split(&Halving { size, count, field, light, triangles, faces }, [0, count[0]], [0, count[1]], all, &mut lists);
     let mut starts = vec![0];
     starts.extend(lists.iter().scan(0, |sum, list| {
         *sum += list.len() as u32;
@@ -105,6 +121,7 @@ struct Halving<'a> {
     field: &'a Field,
     light: Extent,
     triangles: &'a [Triangle],
+    faces: Faces,
 }
 
 /// Gives the tiles of some columns and rows those of `list` that their shafts may hold.
@@ -113,7 +130,11 @@ fn split(all: &Halving<'_>, columns: [u32; 2], rows: [u32; 2], mut list: Vec<u32
     let across = receivers(0, columns, all.field.columns());
     let down = receivers(1, rows, all.field.rows());
     let Some(shaft) = Shaft::new(all.field, across, down, all.light) else { return };
-    list.retain(|triangle| shaft.may_hold(&all.triangles[*triangle as usize]));
+    let faces = |triangle| all.faces == Faces::Both || shows_front(triangle, &shaft);
+    list.retain(|number| {
+        let triangle = &all.triangles[*number as usize];
+        shaft.may_hold(triangle) && faces(triangle)
+    });
     let [wide, high] = [columns[1] - columns[0], rows[1] - rows[0]];
     if list.is_empty() {
         return;
@@ -151,12 +172,18 @@ mod tests {
         let triangles: Vec<Triangle> =
             Family::ALL.iter().flat_map(|family| family.triangles(20, &samples, &receivers, 3)).collect();
         let pattern = Pattern::regular(&samples).unwrap();
-        let lists = tiles([4, 4], &field, pattern.bounds(), &triangles);
-        for r in 0..143 {
-            let list = lists.list(r % 13, r / 13).iter().map(|t| &triangles[*t as usize]);
-            assert_eq!(field.hidden_set(r, &pattern, list), field.hidden_set(r, &pattern, &triangles), "receiver {r}");
+        let mut entries = Vec::new();
+        for faces in [Faces::Both, Faces::Front] {
+            let lists = tiles([4, 4], &field, pattern.bounds(), &triangles, faces);
+            for r in 0..143 {
+                let list = lists.list(r % 13, r / 13).iter().map(|t| &triangles[*t as usize]);
+                let all = field.hidden_set_by(faces, r, &pattern, &triangles);
+                assert_eq!(field.hidden_set_by(faces, r, &pattern, list), all, "receiver {r}, {faces:?}");
+            }
+            entries.push(lists.entries.len());
         }
-        let pairs = lists.entries.len();
-        assert!(pairs > 0 && pairs < 8 * triangles.len(), "{pairs} of {}", 12 * triangles.len());
+        let [both, front] = entries[..] else { panic!("{entries:?}") };
+        assert!(both > 0 && both < 8 * triangles.len(), "{both} of {}", 12 * triangles.len());
+        assert!(front > 0 && 3 * front < 2 * both, "{front} of {both}");
     }
 }

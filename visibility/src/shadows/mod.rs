@@ -8,6 +8,7 @@ mod blue_noise;
 pub(crate) mod compose;
 pub mod cull;
 pub mod expose;
+pub mod filter;
 mod fit;
 pub mod light;
 pub mod lightmap;
@@ -20,7 +21,9 @@ pub mod surface;
 
 use std::ops::AddAssign;
 
+use serde::Deserialize;
 use sightlines_backend::{Backend, Counts};
+use sightlines_kernels::grid;
 
 use crate::error::Result;
 use compose::Composed;
@@ -52,11 +55,39 @@ pub struct Rect {
     pub v: [f64; 3],
 }
 
+/// Which faces of the casters hide. The front of a triangle is where its vertices are seen counter-clockwise; a sample
+/// that does not see a face that counts is not hidden by it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Faces {
+    /// Either.
+    #[default]
+    Both,
+    /// Fronts alone.
+    Front,
+    /// Backs alone.
+    Back,
+}
+
+impl Faces {
+    /// As kernels know them, which have triangles by [`Faces::turned`].
+    pub(crate) fn of_kernels(self) -> grid::Faces {
+        if self == Faces::Both { grid::Faces::Both } else { grid::Faces::Front }
+    }
+
+    /// A triangle whose front is the face that counts.
+    fn turned<T>(self, [a, b, c]: [T; 3]) -> [T; 3] {
+        if self == Faces::Back { [a, c, b] } else { [a, b, c] }
+    }
+}
+
 /// What to bake.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Request {
     /// Everything that casts a shadow, in scene units.
     pub triangles: Vec<[[f64; 3]; 3]>,
+    /// Which faces of it hide.
+    pub faces: Faces,
     /// The light; it shines along u × v.
     pub light: Rect,
     /// The receiver, sampled at the centres of `resolution` × `resolution` texels.
@@ -194,7 +225,8 @@ pub fn bake_with(
 ) -> Result<Bake> {
     let mut scene = snap::snap(request)?;
     let mut work = Work::default();
-    if effort.cull {
+    // What makes a face redundant is another that hides from its other side.
+    if effort.cull && request.faces == Faces::Both {
         // Receivers are farther from the light than all that is between.
         let culled = cull::cull(&scene.samples.corners(), &|_| true, &scene.between);
         let cull::Culled { kept, closed, dropped } = culled;

@@ -63,7 +63,7 @@ impl Pass<'_> {
     }
 
     fn lists(&self, band: &Band, triangles: &[Triangle]) -> Tiles {
-        lists::tiles(TILE, &band.field, self.pattern.bounds(), triangles)
+        lists::tiles(TILE, &band.field, self.pattern.bounds(), triangles, self.prepared.faces)
     }
 
     /// A band with the lists of all triangles: in turns, halved until their lists are short enough.
@@ -121,7 +121,7 @@ impl Pass<'_> {
             let vertices = job.slice("vertices", triangles.as_flattened().as_flattened());
             let starts = job.slice("tile starts", &tiles.starts);
             let entries = job.slice("tile entries", &tiles.entries);
-            let kernel = LineMask::new(self.pattern, Resolution::exact(self.pattern))?;
+            let kernel = LineMask::with_faces(self.pattern, Resolution::exact(self.pattern), self.prepared.faces)?;
             let table = kernel.record_table(&mut job);
             kernel.record(&mut job, &band.field, tiles, table, Scene { vertices, starts, entries, hidden })?;
         }

@@ -1,8 +1,9 @@
 //! Where samples stand on a light: patterns of any number of points, kept where the light shines.
 //!
-//! Points are pairs of whole numbers below [`UNIT`], in units of 2^-16 of the light's two sides; snapping puts a point (u, v)
-//! at the rectangle's corner + floor((u, v) × size / 2^16) cells. Every pattern is made of integers: the same on every host.
-//! Samples that come later refine those before them, except on grids, whose cells depend on how many there are.
+//! Points are pairs of whole numbers below [`UNIT`], in units of 2^-16 of the light's two sides; snapping puts a point
+//! (u, v) at the rectangle's corner + floor((u, v) × size / 2^16) cells. Every pattern is made of integers: the same on
+//! every host. Samples that come later refine those before them, except on grids, whose cells depend on how many there
+//! are.
 
 use std::path::Path;
 

@@ -1,9 +1,10 @@
 //! Readings of the sets: from the other side, and on the safe side.
 //!
-//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", sections 1 and 6. The sets say which samples a receiver
-//! does not see; inverted, they say which receivers a sample sees. Between the points that are looked at anything may happen;
-//! what is said of a texel as a whole is read from it and its neighbours: *conservative* keeps as visible what any of them sees,
-//! so that nothing visible at one of these points is left out; *aggressive* keeps what all of them see.
+//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", sections 1 and 6. The sets say which samples a
+//! receiver does not see; inverted, they say which receivers a sample sees. Between the points that are looked at
+//! anything may happen; what is said of a texel as a whole is read from it and its neighbours: *conservative* keeps as
+//! visible what any of them sees, so that nothing visible at one of these points is left out; *aggressive* keeps what
+//! all of them see.
 
 use super::Sets;
 
@@ -46,7 +47,8 @@ impl Sets {
         Sets { masks, ..self.clone() }
     }
 
-    /// How many of the samples each texel sees whose colour, by `of`, has each of `colours` numbers: colour after colour.
+    /// How many of the samples each texel sees whose colour, by `of`, has each of `colours` numbers: colour after
+    /// colour.
     pub fn count(&self, of: &[u32], colours: usize) -> Vec<u32> {
         let mut visible = vec![0; colours * self.texels()];
         for texel in 0..self.texels() {

@@ -1,11 +1,12 @@
 //! From scene units to the grid: the one place where a scene is rounded.
 //!
-//! Axes follow the light: x along its first side, y along its second, z where it shines, the light at z = 0. The side of
-//! a cell is the distance of two texel centres divided by the largest whole number that lets everything fit, so
-//! receivers are exact. Triangles are cut at the light's plane, vertices go to the nearest grid point; the samples' distance and the receivers' height become
-//! whole cells. After this only integers decide ([`sightlines_kernels::grid`] has the definition).
+//! Axes follow the light: x along its first side, y along its second, z where it shines, the light at z = 0. The side
+//! of a cell is the distance of two texel centres divided by the largest whole number that lets everything fit, so
+//! receivers are exact. Triangles are cut at the light's plane, vertices go to the nearest grid point; the samples'
+//! distance and the receivers' height become whole cells. After this only integers decide ([`sightlines_kernels::grid`]
+//! has the definition).
 
-use sightlines_kernels::grid::{Receivers, Samples, Triangle, XY, Z};
+use sightlines_kernels::grid::{Faces, Receivers, Samples, Triangle, XY, Z};
 
 use super::{Rect, Request, SAMPLES};
 use crate::error::{Place, Result};
@@ -26,6 +27,8 @@ pub struct Snapped {
     pub between: Vec<Triangle>,
     /// Triangles that reach one of the two planes and stand between them in part.
     pub crossing: Vec<Triangle>,
+    /// Which faces of them hide.
+    pub faces: Faces,
     /// Side of a cell, in scene units.
     pub cell: f64,
 }
@@ -66,7 +69,8 @@ impl Frame {
     }
 }
 
-/// An axis of the receivers in the frame: smallest texel centre, distance of texels, and whether columns run against it.
+/// An axis of the receivers in the frame: smallest texel centre, distance of texels, and whether columns run against
+/// it.
 struct Axis {
     first: f64,
     pitch: f64,
@@ -95,8 +99,8 @@ fn shape(samples: u32) -> (u32, u32) {
 ///
 /// # Errors
 ///
-/// A light or receiver without area, a receiver that is not parallel to the light or lies behind it, and a scene that does
-/// not fit the grid at this resolution.
+/// A light or receiver without area, a receiver that is not parallel to the light or lies behind it, and a scene that
+/// does not fit the grid at this resolution.
 pub fn snap(request: &Request) -> Result<Snapped> {
     if !SAMPLES.contains(&request.samples) {
         let what = format!("{} samples cannot be baked by row spans", request.samples);
@@ -127,8 +131,8 @@ pub fn snap(request: &Request) -> Result<Snapped> {
         let reaches = |i: usize| t.iter().any(|p| p[i] <= highs[i]) && t.iter().any(|p| p[i] >= lows[i]);
         reaches(0) && reaches(1) && t.iter().any(|p| p[2] > 0.0) && t.iter().any(|p| p[2] < height)
     };
-    let triangles: Vec<[Vector; 3]> =
-        request.triangles.iter().flat_map(|t| cut(t.map(|p| frame.point(p)))).filter(relevant).collect();
+    let framed = request.triangles.iter().map(|t| request.faces.turned(t.map(|p| frame.point(p))));
+    let triangles: Vec<[Vector; 3]> = framed.flat_map(cut).filter(relevant).collect();
     let fit = Fit::new(&axes, *resolution, [lows, highs], height, &triangles)?;
     fit.scene(request, &axes, sides, height, &triangles)
 }
@@ -224,6 +228,7 @@ impl Fit {
             mirrored: [axes[0].mirrored, axes[1].mirrored],
             between: Vec::new(),
             crossing: Vec::new(),
+            faces: request.faces.of_kernels(),
             cell: self.cell,
         };
         for triangle in triangles {
@@ -245,8 +250,8 @@ impl Snapped {
     }
 }
 
-/// The part of a triangle in front of the light's plane, as none, one or two triangles, in the frame of the light. Triangles
-/// that share an edge are cut at one point of it, so that no gap opens between them.
+/// The part of a triangle in front of the light's plane, as none, one or two triangles, in the frame of the light.
+/// Triangles that share an edge are cut at one point of it, so that no gap opens between them.
 pub(super) fn cut(triangle: [Vector; 3]) -> impl Iterator<Item = [Vector; 3]> {
     let edges = [0, 1, 2].map(|i| (triangle[i], triangle[(i + 1) % 3]));
     let meet = |front: Vector, back: Vector| {
@@ -274,6 +279,7 @@ mod tests {
     fn request(triangles: Vec<[Vector; 3]>) -> Request {
         Request {
             triangles,
+            faces: Default::default(),
             light: Rect { corner: [-0.2, 3.0, -0.2], u: [0.4, 0.0, 0.0], v: [0.0, 0.0, 0.4] },
             receiver: Rect { corner: [-2.0, 0.0, 2.0], u: [4.0, 0.0, 0.0], v: [0.0, 0.0, -4.0] },
             resolution: 512,

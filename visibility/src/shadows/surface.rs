@@ -1,7 +1,8 @@
 //! Receivers in scene units: planes, height fields over a plane, and the texels of a mesh's lightmap.
 //!
-//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 8: receivers need not lie on a plane; a height
-//! map moves them. A spot is where a receiver stands and the side of the surface that it is on; everything in f64, + − × ÷ √.
+//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 8: receivers need not lie on a plane; a
+//! height map moves them. A spot is where a receiver stands and the side of the surface that it is on; everything in
+//! f64, + − × ÷ √.
 
 use std::path::Path;
 
@@ -28,6 +29,9 @@ pub enum Surface {
     Plane(Rect),
     /// A rectangle whose points are moved along its normal, towards the light.
     Heights(Rect, HeightMap),
+    /// The same, on the triangles between the heights, which cast shadows on each other; receivers stand some cells in
+    /// front of them, as those of a lightmap.
+    Relief(Rect, HeightMap),
     /// A rectangle as a camera sees it: receivers are where the rays through the pixels' centres meet it.
     View(Rect, Camera),
     /// The texels of a mesh, which receive on the front of their triangles and stand some cells in front of them.
@@ -111,7 +115,73 @@ impl HeightMap {
     }
 }
 
+/// Most triangles of a relief.
+const MAX_RELIEF: u64 = 1 << 21;
+
+/// A height map over a rectangle as triangles: corners at the centres of its cells and on its border.
+struct Relief<'a> {
+    rect: &'a Rect,
+    up: Vector,
+    map: &'a HeightMap,
+}
+
+impl Relief<'_> {
+    /// A corner by its number along each side: 0 is on the border, 1 the first centre.
+    fn corner(&self, [column, row]: [u32; 2]) -> Vector {
+        let HeightMap { columns, rows, heights } = self.map;
+        let part = |k: u32, count: u32| ((f64::from(k) - 0.5) / f64::from(count)).clamp(0.0, 1.0);
+        let near = |k: u32, count: u32| k.max(1).min(count) - 1;
+        let height = heights[(near(row, *rows) * columns + near(column, *columns)) as usize];
+        let along = add(scale(self.rect.u, part(column, *columns)), scale(self.rect.v, part(row, *rows)));
+        add(add(self.rect.corner, along), scale(self.up, height))
+    }
+
+    /// The triangles of the cell between four corners: the one along the columns first.
+    fn cell(&self, [column, row]: [u32; 2]) -> [[Vector; 3]; 2] {
+        let at = |right: u32, down: u32| self.corner([column + right, row + down]);
+        [[at(0, 0), at(1, 0), at(1, 1)], [at(0, 0), at(1, 1), at(0, 1)]]
+    }
+
+    /// The receiver at (s, t) of [0, 1]², on its triangle.
+    fn spot(&self, [s, t]: [f64; 2]) -> Spot {
+        let place = |x: f64, count: u32| {
+            let cell = ((x * f64::from(count) + 0.5).floor() as u32).min(count);
+            let knot = |k: u32| ((f64::from(k) - 0.5) / f64::from(count)).clamp(0.0, 1.0);
+            (cell, (x - knot(cell)) / (knot(cell + 1) - knot(cell)))
+        };
+        let ((column, x), (row, y)) = (place(s, self.map.columns), place(t, self.map.rows));
+        let [along, down] = self.cell([column, row]);
+        // From a along one side of the cell, then along the other: to b and c, or to c and b.
+        let (corners, at) = if x >= y {
+            (along, add(along[0], add(scale(sub(along[1], along[0]), x), scale(sub(along[2], along[1]), y))))
+        } else {
+            (down, add(down[0], add(scale(sub(down[2], down[0]), y), scale(sub(down[1], down[2]), x))))
+        };
+        let [a, b, c] = corners;
+        let normal = normalize(cross(sub(b, a), sub(c, a)));
+        Spot { at, normal: if dot(normal, self.up) < 0.0 { scale(normal, -1.0) } else { normal } }
+    }
+}
+
 impl Surface {
+    /// What it casts shadows with.
+    ///
+    /// # Errors
+    ///
+    /// A relief of too many triangles.
+    pub(super) fn casters(&self, light: &Rect) -> Result<Vec<[[f64; 3]; 3]>> {
+        let Surface::Relief(rect, map) = self else { return Ok(Vec::new()) };
+        let count = 2 * (u64::from(map.columns) + 1) * (u64::from(map.rows) + 1);
+        if count > MAX_RELIEF {
+            let what = format!("{} by {} heights make {count} triangles", map.columns, map.rows);
+            let remedy = format!("scale the heights down: at most {MAX_RELIEF} triangles cast shadows on themselves");
+            return Err(Place::default().element("heights").error(what, remedy));
+        }
+        let relief = Relief { rect, up: facing(rect, light), map };
+        let cells = (0..=map.rows).flat_map(|row| (0..=map.columns).map(move |column| [column, row]));
+        Ok(cells.flat_map(|cell| relief.cell(cell)).collect())
+    }
+
     /// Its receivers at `resolution`², row after row; none where a texel has no surface.
     ///
     /// # Errors
@@ -121,6 +191,7 @@ impl Surface {
         let (rect, map) = match self {
             Surface::Plane(rect) => (rect, None),
             Surface::Heights(rect, map) => (rect, Some(map)),
+            Surface::Relief(rect, map) => return Ok(relief(rect, map, resolution, light)),
             Surface::View(rect, camera) => return seen(rect, camera, resolution, light),
             Surface::Lightmap(atlas) => return atlas.spots(resolution),
         };
@@ -142,24 +213,20 @@ impl Surface {
     }
 }
 
+/// The receivers of a relief.
+fn relief(rect: &Rect, map: &HeightMap, resolution: u32, light: &Rect) -> Vec<Option<Spot>> {
+    let relief = Relief { rect, up: facing(rect, light), map };
+    let part = |i: u32| (f64::from(i) + 0.5) / f64::from(resolution);
+    (0..resolution * resolution).map(|i| Some(relief.spot([part(i % resolution), part(i / resolution)]))).collect()
+}
+
 /// The points of a rectangle that a camera sees at the centres of its pixels, of a picture as wide as high.
 fn seen(rect: &Rect, camera: &Camera, resolution: u32, light: &Rect) -> Result<Vec<Option<Spot>>> {
     let up = facing(rect, light);
-    let (normal, foot) = (cross(rect.u, rect.v), sub(rect.corner, camera.eye));
     let spot = |index: u32| {
-        let along = |i: u32| 2.0 * (f64::from(i) + 0.5) / f64::from(resolution) - 1.0;
-        let (x, y) = (along(index % resolution), -along(index / resolution));
-        let aside = |half: f64| add(scale(camera.right, x * half), scale(camera.up, y * half));
-        let (from, way) = match camera.lens {
-            Lens::Perspective { slope, .. } => ([0.0; 3], add(camera.forward, aside(slope))),
-            Lens::Orthographic { height } => (aside(height / 2.0), camera.forward),
-        };
-        let distance = dot(normal, sub(foot, from)) / dot(normal, way);
-        let at = add(add(camera.eye, from), scale(way, distance));
-        let part = |side: Vector| dot(side, sub(at, rect.corner)) / dot(side, side);
-        // A ray along the plane meets it nowhere: its distance is no number, or beyond all.
-        let meets = distance > 0.0 && [rect.u, rect.v].into_iter().all(|side| (0.0..=1.0).contains(&part(side)));
-        meets.then_some(Spot { at, normal: up })
+        let [column, row] = [index % resolution, index / resolution].map(f64::from);
+        let (at, parts) = met(rect, camera, [column, row], resolution)?;
+        parts.iter().all(|part| (0.0..=1.0).contains(part)).then_some(Spot { at, normal: up })
     };
     let spots: Vec<Option<Spot>> = (0..resolution * resolution).map(spot).collect();
     if spots.iter().all(Option::is_none) {
@@ -167,6 +234,22 @@ fn seen(rect: &Rect, camera: &Camera, resolution: u32, light: &Rect) -> Result<V
         return Err(Place::default().element("camera").error(what, "turn it, or move it"));
     }
     Ok(spots)
+}
+
+/// Where the ray through the middle of a pixel meets a rectangle's plane, and at which parts of its sides.
+pub(super) fn met(rect: &Rect, camera: &Camera, pixel: [f64; 2], resolution: u32) -> Option<(Vector, [f64; 2])> {
+    let (normal, foot) = (cross(rect.u, rect.v), sub(rect.corner, camera.eye));
+    let [x, y] = pixel.map(|i| 2.0 * (i + 0.5) / f64::from(resolution) - 1.0);
+    let aside = |half: f64| add(scale(camera.right, x * half), scale(camera.up, -y * half));
+    let (from, way) = match camera.lens {
+        Lens::Perspective { slope, .. } => ([0.0; 3], add(camera.forward, aside(slope))),
+        Lens::Orthographic { height } => (aside(height / 2.0), camera.forward),
+    };
+    let distance = dot(normal, sub(foot, from)) / dot(normal, way);
+    let at = add(add(camera.eye, from), scale(way, distance));
+    let part = |side: Vector| dot(side, sub(at, rect.corner)) / dot(side, side);
+    // A ray along the plane meets it nowhere: its distance is no number, or beyond all.
+    (distance > 0.0 && distance.is_finite()).then(|| (at, [part(rect.u), part(rect.v)]))
 }
 
 /// The unit normal of a rectangle on the side that a light is on.
@@ -226,6 +309,21 @@ mod tests {
         assert_eq!(heights, [0.0, 0.5, 1.5, 2.0]);
         let [x, y, z] = spots[1].unwrap().normal;
         assert!(x < 0.0 && y > 0.0 && z == 0.0, "{x} {y} {z}");
+        // On its triangles: the border is as high as the nearest height, and between the two it is straight.
+        let slope = HeightMap::new(2, 1, vec![0.0, 2.0]).unwrap();
+        let relief = Surface::Relief(FLOOR, slope);
+        let spots = relief.spots(4, &ABOVE).unwrap();
+        let heights: Vec<f64> = spots[..4].iter().map(|spot| spot.unwrap().at[1]).collect();
+        assert_eq!(heights, [0.0, 0.5, 1.5, 2.0]);
+        let casters = relief.casters(&ABOVE).unwrap();
+        assert_eq!(casters.len(), 2 * 3 * 2);
+        let within = |spot: &Spot, t: &[Vector; 3]| {
+            let n = normalize(cross(sub(t[1], t[0]), sub(t[2], t[0])));
+            dot(n, sub(spot.at, t[0])).abs() < 1e-12 && dot(n, spot.normal).abs() > 1.0 - 1e-12
+        };
+        assert!(spots.iter().flatten().all(|spot| casters.iter().any(|t| within(spot, t))));
+        let many = Surface::Relief(FLOOR, HeightMap::new(2000, 2000, vec![0.0; 4_000_000]).unwrap());
+        assert!(many.casters(&ABOVE).unwrap_err().to_string().contains("8008002 triangles"));
         let bumps = HeightMap::bumps(0.5);
         assert!(bumps.heights.iter().all(|h| (0.0..=0.5).contains(h)));
         assert!(HeightMap::new(2, 2, vec![0.0; 3]).is_err() && HeightMap::new(1, 1, vec![f64::NAN]).is_err());

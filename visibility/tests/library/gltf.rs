@@ -285,3 +285,45 @@ fn normals_follow_their_node_and_mirrored_triangles_are_turned_round() {
     let part = node("[1, 1, -1]");
     assert_eq!((part.triangles[0], part.normals[0]), ([0, 2, 1], [1.0, 0.0, -1.0]));
 }
+
+/// The triangle with texture coordinates (0, 0), (1, 0.2) and (0.2, 1), in the component type of a number of glTF's.
+fn mapped(kind: u32, map: &[u8], is_normalized: bool) -> sightlines_visibility::Result<Scene> {
+    let uvs = format!(
+        r#","max": [1,1,0]}}, {{"bufferView": 1, "componentType": {kind}, "normalized": {is_normalized}, "count": {}, "type": "VEC2"}}],"#,
+        if map.len() == 4 { 2 } else { 3 }
+    );
+    let text = TRIANGLE
+        .replace(r#"{"POSITION": 0}"#, r#"{"POSITION": 0, "TEXCOORD_0": 1}"#)
+        .replace(r#", "max": [1,1,0]}],"#, &uvs)
+        .replace(
+            r#""byteLength": 36}],
+"buffers""#,
+            &format!(
+                r#""byteLength": 36}}, {{"buffer": 0, "byteOffset": 36, "byteLength": {}}}], "buffers""#,
+                map.len()
+            ),
+        )
+        .replace(r#"{URI"byteLength": 36}"#, &format!(r#"{{URI"byteLength": {}}}"#, 36 + map.len()));
+    load_bytes("a.gltf", embedded(&text, &[&points()[..], map].concat()))
+}
+
+#[test]
+fn texture_coordinates_of_every_component_type() {
+    let floats: Vec<u8> = [0.0_f32, 0.0, 1.0, 0.2, 0.2, 1.0].iter().flat_map(|c| c.to_le_bytes()).collect();
+    let bytes = [0, 0, 255, 51, 51, 255];
+    let shorts: Vec<u8> = [0u16, 0, 65_535, 13_107, 13_107, 65_535].iter().flat_map(|c| c.to_le_bytes()).collect();
+    for (kind, map, is_normalized) in [(5126, &floats[..], false), (5121, &bytes[..], true), (5123, &shorts, true)] {
+        let scene = mapped(kind, map, is_normalized).unwrap();
+        let found = scene.parts[0].uvs[0];
+        // v counts upwards here.
+        for (found, expected) in found.iter().zip([[0.0, 1.0], [1.0, 0.8], [0.2, 0.0]]) {
+            assert!((0..2).all(|k| (found[k] - expected[k]).abs() < 1e-7), "{kind}: {found:?} for {expected:?}");
+        }
+    }
+    let whole = mapped(5121, &[0, 0, 1, 0, 0, 1], false).unwrap();
+    assert_eq!(whole.parts[0].uvs, [[[0.0, 1.0], [1.0, 1.0], [0.0, 0.0]]], "integers as they are, unless normalised");
+    // A vertex beyond the map has no place on it.
+    assert_eq!(mapped(5121, &[0, 0, 255, 0], true).unwrap().parts[0].uvs.len(), 1);
+    let message = mapped(5125, &[0; 24], false).unwrap_err().to_string();
+    assert!(message.contains("texture coordinates cannot be Vec2 of U32"), "{message}");
+}

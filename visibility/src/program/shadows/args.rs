@@ -7,9 +7,11 @@ use sightlines_visibility::Result;
 use sightlines_visibility::error::Place;
 use sightlines_visibility::scene::Camera;
 use sightlines_visibility::setup::Settings;
+use sightlines_visibility::shadows::Faces;
 use sightlines_visibility::shadows::placement::Placement;
 use sightlines_visibility::shadows::reading::Reading as Sets;
 use sightlines_visibility::shadows::surface::HeightMap;
+use sightlines_visibility::simplify::Target;
 
 use crate::program::cli::{Axis, Bits, MachineArgs, Source};
 use crate::program::effort::EffortArgs;
@@ -22,6 +24,7 @@ above. Lights and receivers of your own stand in a scene file:
 
   model = \"model.glb\"        # beside the scene file; or: generator = \"palms\"
   up = \"y\"                   # or \"z\"
+  faces = \"both\"             # which faces cast shadows: \"both\", \"front\" or \"back\"
   resolution = 512
   samples = 1024
   pattern = \"halton\"         # as --pattern; also seed, decorrelated, word_bits, colours, lightmap
@@ -39,6 +42,7 @@ above. Lights and receivers of your own stand in a scene file:
   v = [0.0, 0.0, 8.0]        # rows of the image
   heights = \"ground.png\"     # moves it towards the light: white is height_scale; or \"bumps\"
   height_scale = 0.5
+  self = true                # the heights cast shadows on themselves
   [motion]                   # light is accumulated over frames
   offset = [1.0, 0.0, 0.0]
   frames = 8
@@ -77,12 +81,20 @@ pub(crate) struct ShadowsArgs {
     /// Samples of the light, 1 to 65536; each 1024 are a pass [default: 1024].
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub(crate) samples: Option<u32>,
-    /// Where samples are: grid, jittered, halton, blue-noise, or a text file of points, u and v from 0 to 1 [default: grid].
+    /// Where samples are: grid, jittered, halton, blue-noise, or a text file of points, u and v from 0 to 1 [default:
+    /// grid].
     #[arg(long, value_name = "NAME|FILE")]
     pub(crate) pattern: Option<String>,
     /// Of what is random in a pattern and in shifts [default: 1].
     #[arg(long, value_name = "N")]
     pub(crate) seed: Option<u32>,
+    /// Which faces of the casters hide: a front is where vertices are seen counter-clockwise [default: both].
+    #[arg(long, value_enum)]
+    pub(crate) faces: Option<FacesName>,
+    /// Cast shadows by a simplified mesh: a share of its triangles, `error=` a distance in scene units, or `auto`, as
+    /// far as the light does not show it.
+    #[arg(long, value_name = "TARGET", value_parser = Target::parse)]
+    pub(crate) simplify: Option<Target>,
     /// Shift each receiver's pattern by a random part of a sample's distance to the next: noise for bands.
     #[arg(long)]
     pub(crate) decorrelate: bool,
@@ -98,17 +110,25 @@ pub(crate) struct ShadowsArgs {
     /// What white is in heights, in scene units [default: 1].
     #[arg(long, value_name = "X", allow_negative_numbers = true, requires = "heights")]
     pub(crate) height_scale: Option<f64>,
+    /// Let the heights cast shadows on themselves.
+    #[arg(long = "self")]
+    pub(crate) self_shadow: bool,
     /// Bake the texels of the scene's own surface, by its texture coordinates.
     #[arg(long)]
     pub(crate) lightmap: bool,
-    /// Show the receiver in a camera's view, EYE/TARGET or EYE/TARGET/LENS: points as x,y,z, a lens as an angle in degrees
-    /// or height=H; texels are then its pixels.
+    /// Show the receiver in a camera's view, EYE/TARGET or EYE/TARGET/LENS: points as x,y,z, a lens as an angle in
+    /// degrees or height=H; texels are then its pixels.
     #[arg(long, value_name = "CAMERA", allow_hyphen_values = true)]
     pub(crate) camera: Option<String>,
+    /// Look a map of so many texels a side up in the camera's view, filtered: the picture has three panels, counted in
+    /// the view, looked up, and how far they are apart.
+    #[arg(long, value_name = "N", requires = "camera")]
+    pub(crate) map: Option<u32>,
     /// Texels by which a lightmap's charts are widened.
     #[arg(long, value_name = "N", default_value = "4", value_parser = clap::value_parser!(u32).range(0..=64))]
     pub(crate) gutter: u32,
-    /// Which samples count as hidden from a texel: those hidden from its centre, from all its neighbours too, or from any.
+    /// Which samples count as hidden from a texel: those hidden from its centre, from all its neighbours too, or from
+    /// any.
     #[arg(long, value_enum, default_value = "centre")]
     pub(crate) reading: ReadingName,
     /// Show which texels see one sample of the light, by its number.
@@ -132,6 +152,27 @@ pub(crate) struct ShadowsArgs {
     /// Where the machine is chosen.
     #[command(flatten)]
     pub(crate) machine: MachineArgs,
+}
+
+/// Which faces of casters hide.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum FacesName {
+    /// Either.
+    Both,
+    /// Fronts alone.
+    Front,
+    /// Backs alone.
+    Back,
+}
+
+impl From<FacesName> for Faces {
+    fn from(name: FacesName) -> Self {
+        match name {
+            FacesName::Both => Faces::Both,
+            FacesName::Front => Faces::Front,
+            FacesName::Back => Faces::Back,
+        }
+    }
 }
 
 /// What pictures show.
@@ -190,9 +231,11 @@ impl ShadowsArgs {
             placement: placement.transpose()?,
             seed: self.seed,
             decorrelated: self.decorrelate.then_some(true),
+            faces: self.faces.map(Into::into),
             word_bits: self.word_bits,
             colours: self.colours,
             heights: self.heights.as_ref().map(heights).transpose()?,
+            self_shadow: self.self_shadow.then_some(true),
             lightmap: self.lightmap.then_some(true),
             camera: self.camera.as_ref().map(camera).transpose()?,
             motion: self.motion,
@@ -215,6 +258,11 @@ impl ShadowsArgs {
         if reads && sums {
             let remedy = "leave out one of the two: light is summed at the centres of texels";
             return clash("--reading", "irradiance has no readings", remedy);
+        }
+        let others = sums || reads || self.seen_from.is_some() || self.exr.is_some() || self.sets.is_some();
+        if self.map.is_some() && others {
+            let remedy = "give it an -o and none of --result, --reading, --seen-from, --exr and --sets";
+            return clash("--map", "a map that is looked up gives a picture of shares", remedy);
         }
         if reads && moves {
             return clash("--reading", "the scene moves, and a reading is of one frame", "leave out one of the two");
