@@ -6,9 +6,19 @@ pub(crate) const CHUNK: usize = 16;
 /// Most lanes of a gang.
 pub(crate) const MAX_LANES: usize = 512;
 
+/// The highest lane of each chunk of a word.
+const HIGHEST: u64 = 0x8000_8000_8000_8000;
+
 /// A set of lanes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Mask([u64; MAX_LANES / 64]);
+
+impl PartialEq for Mask {
+    fn eq(&self, other: &Self) -> bool {
+        // Without a branch, which derived code would make a call.
+        self.0.iter().zip(&other.0).fold(0, |differing, (a, b)| differing | (a ^ b)) == 0
+    }
+}
 
 impl Mask {
     /// The first `count` lanes.
@@ -63,8 +73,9 @@ impl Mask {
     fn chunks(self) -> u64 {
         let mut chunks = 0;
         for (index, word) in self.0.into_iter().enumerate() {
-            let some = |chunk: usize| u64::from(word >> (chunk * CHUNK) & 0xffff != 0);
-            chunks |= (some(0) | some(1) << 1 | some(2) << 2 | some(3) << 3) << (index * 4);
+            // The highest bit of a chunk, where one of the others is set or it is.
+            let some = (((word & !HIGHEST) + !HIGHEST) | word) & HIGHEST;
+            chunks |= ((some >> 15 | some >> 30 | some >> 45 | some >> 60) & 15) << (index * 4);
         }
         chunks
     }
@@ -110,15 +121,12 @@ impl Exec {
         }
         self.mask = mask;
         self.full = mask == self.all;
-        self.low = mask.first_lane().map_or(0, |lane| lane / CHUNK);
-        self.high = mask.last_lane().map_or(0, |lane| lane / CHUNK + 1);
-        self.live = range(self.low, self.high);
-        self.solid = true;
-        if mask.count() as usize * 2 < (self.high - self.low) * CHUNK {
-            let live = self.live & closed(mask.chunks());
-            self.solid = live == self.live;
-            self.live = live;
-        }
+        let chunks = mask.chunks();
+        self.low = if chunks == 0 { 0 } else { chunks.trailing_zeros() as usize };
+        self.high = 64 - chunks.leading_zeros() as usize;
+        let all = range(self.low, self.high);
+        self.live = all & closed(chunks);
+        self.solid = self.live == all;
     }
 
     /// Runs of chunks to work on, from the first to the last: each from its first chunk up to its second.

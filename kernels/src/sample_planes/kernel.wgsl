@@ -75,11 +75,8 @@ fn takes_tie(r: vec3<i32>, p: vec3<i32>, q: vec3<i32>) -> bool {
     return (n.x > 0) | ((n.x == 0) & (n.y > 0));
 }
 
-fn is_inside(value: vec2<u32>, r: vec3<i32>, p: vec3<i32>, q: vec3<i32>) -> bool {
-    if ((value.x | value.y) == 0u) {
-        return takes_tie(r, p, q);
-    }
-    return (value.y >> 31u) == 0u;
+fn is_zero(value: vec2<u32>) -> bool {
+    return (value.x | value.y) == 0u;
 }
 
 /// Puts a receiver into the shadow of a sample.
@@ -142,7 +139,13 @@ fn planes(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
         var f = dot64(second, r - s);
         var g = dot64(third, r - s);
         for (var x = x0; x <= x1; x += 1) {
-            if (is_inside(e, r, a, p) && is_inside(f, r, p, q) && is_inside(g, r, q, a)) {
+            var is_inside = ((e.y | f.y | g.y) >> 31u) == 0u;
+            // Ties are rare: most steps of most lanes take no branch but the next.
+            if (is_inside & (is_zero(e) | is_zero(f) | is_zero(g))) {
+                is_inside = (!is_zero(e) || takes_tie(r, a, p)) && (!is_zero(f) || takes_tie(r, p, q))
+                    && (!is_zero(g) || takes_tie(r, q, a));
+            }
+            if (is_inside) {
                 hide(bitcast<u32>(y) * view.columns + bitcast<u32>(x), sample, 0 - turn);
             }
             e = add64(e, right_first);
