@@ -71,7 +71,7 @@ fn errors_job(mesh: &Mesh, directions: &[Direction], sides: &[u32]) -> Result<Jo
     let count = words(mesh.vertices.len() as u32, directions.len() as u32);
     let resident = Resident::upload(&mut job, mesh)?;
     let truth = job.zeroed("exact bits", count);
-    exact.record(&mut job, &resident, directions, 0, truth)?;
+    exact.record(&mut job, &resident, (0, directions), 0, truth)?;
     for &side in sides {
         let occluded = job.zeroed(format!("bits of {side}"), count);
         maps.record(&mut job, mesh, directions, Maps { side, bias: BIAS }, occluded)?;

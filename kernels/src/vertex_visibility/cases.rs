@@ -201,7 +201,7 @@ fn job(mesh: &Mesh, directions: &[Direction], bias: u32) -> sightlines_backend::
     let resident = Resident::upload(&mut job, mesh)?;
     let bits = words(resident.vertices(), directions.len() as u32);
     let occluded = job.zeroed("occluded", bits + 1);
-    kernel.record(&mut job, &resident, directions, bias, occluded)?;
+    kernel.record(&mut job, &resident, (0, directions), bias, occluded)?;
     job.read("occluded", occluded.id());
     Ok(job)
 }

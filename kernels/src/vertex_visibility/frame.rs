@@ -82,13 +82,16 @@ impl Frame {
     }
 }
 
-/// Refuses directions that are not opposite in pairs, too long, or zero.
-pub(super) fn check(directions: &[Direction]) -> Result<()> {
+/// Refuses directions that are not opposite in pairs, too long, or zero, and a first number that begins no pair.
+pub(super) fn check(first: u32, directions: &[Direction]) -> Result<()> {
     let remedy = "give pairs of opposite directions with 0 < |x| + |y| + |z| <= 2^14";
     let fits = |d: &Direction| {
         let length: i64 = d.iter().map(|&c| i64::from(c).abs()).sum();
         (1..=i64::from(MAX_LENGTH)).contains(&length)
     };
+    if first % 2 != 0 {
+        return Err(Error::refused(format!("directions from number {first} on"), "begin with the first of a pair"));
+    }
     for (number, pair) in directions.chunks(2).enumerate() {
         if pair.len() != 2 || !pair.iter().all(fits) || pair[1] != pair[0].map(|c| -c) {
             return Err(Error::refused(format!("pair {number} of the directions, {pair:?}"), remedy));

@@ -164,9 +164,10 @@ impl Plan {
         self.batch * self.vertices.max(1)
     }
 
-    fn params(&self, pair: u32, groups: u32, piece: &Range<u32>) -> Params {
+    /// Parameters of a batch that begins with frame `pair` and sets words from `row` on.
+    fn params(&self, (pair, row): (u32, u32), groups: u32, piece: &Range<u32>) -> Params {
         let Plan { vertices, parts, rows, column_bits, bin_bits, bias, .. } = *self;
-        let (first, row, plane) = (piece.start, pair / BATCH * vertices, self.plane());
+        let (first, plane) = (piece.start, self.plane());
         Params { vertices, parts, column_bits, bin_bits, pair, groups, first, bias, row, rows, plane }
     }
 }
@@ -188,18 +189,19 @@ impl VertexVisibility {
         Ok(VertexVisibility { program, scan: Scan::new()? })
     }
 
-    /// Sets the bits of a block of directions, which are opposite in pairs: bit i % 32 of word i / 32 * vertices + v if vertex
-    /// v is occluded towards direction i, beyond `bias` cells. Other bits of `occluded` stay; it holds [`words`] words.
+    /// Sets the bits of a block of directions, which are opposite in pairs and numbered from `first` on: bit i % 32 of word
+    /// i / 32 * vertices + v if vertex v is occluded towards direction i, beyond `bias` cells. Other bits of `occluded`
+    /// stay; it holds the [`words`] of all directions up to the block's last.
     pub fn record(
         &self,
         job: &mut Job,
         mesh: &Resident,
-        directions: &[Direction],
+        (first, directions): (u32, &[Direction]),
         bias: u32,
         occluded: Buffer<[u32]>,
     ) -> Result<()> {
-        frame::check(directions)?;
-        let wanted = words(mesh.vertices(), directions.len() as u32);
+        frame::check(first, directions)?;
+        let wanted = words(mesh.vertices(), first + directions.len() as u32);
         if bias > MAX_BIAS || occluded.len() < wanted || occluded.len() > 1 << 25 {
             let what = format!("bias {bias} and {} words of bits, of which {wanted} are set", occluded.len());
             let remedy = "keep the bias within 2^15 cells and the bits within 2^25 words; take directions in blocks";
@@ -211,8 +213,8 @@ impl VertexVisibility {
         let plan = Plan::new(mesh, bias);
         let row_bits = mesh.row_bits;
         let frame = |(pair, d): (u32, &[Direction])| Frame::new(pair, d[0], mesh.bounds, plan.column_bits, row_bits);
-        let frames: Vec<Frame> = (0..).zip(directions.chunks(2)).map(frame).collect();
-        let pairs = frames.len() as u32;
+        let first_pair = first / 2;
+        let frames: Vec<Frame> = (first_pair..).zip(directions.chunks(2)).map(frame).collect();
         let work = Work {
             frames: job.slice("frames", &frames),
             // The scan takes multiples of four words.
@@ -220,32 +222,45 @@ impl VertexVisibility {
             points: job.zeroed("binned vertices", 4 * u64::from(plan.plane())),
             occluded,
         };
-        for pair in (0..pairs).step_by(plan.batch as usize) {
-            self.record_batch(job, mesh, plan, pair..pairs.min(pair + plan.batch), &work)?;
+        let (mut pair, end) = (first_pair, first_pair + frames.len() as u32);
+        while pair < end {
+            // A batch stays within a word.
+            let next = end.min((pair / plan.batch + 1) * plan.batch);
+            self.record_batch(job, mesh, plan, (first_pair, pair..next), &work)?;
+            pair = next;
         }
         Ok(())
     }
 
-    fn record_batch(&self, job: &mut Job, mesh: &Resident, plan: Plan, pairs: Range<u32>, work: &Work) -> Result<()> {
+    /// Records the pairs of a word, or a part of it; the first frame is that of pair `first`.
+    fn record_batch(
+        &self,
+        job: &mut Job,
+        mesh: &Resident,
+        plan: Plan,
+        (first, pairs): (u32, Range<u32>),
+        work: &Work,
+    ) -> Result<()> {
         let Work { frames, bins: [counts, starts], points, .. } = *work;
         let Resident { vertices, .. } = *mesh;
         let program = job.program(&self.program);
-        let (pair, batch) = (pairs.start, pairs.len() as u32);
+        let (batch, row) = (pairs.len() as u32, pairs.start / BATCH * plan.vertices);
+        let place = (pairs.start - first, row);
         job.record(Command::Clear { buffer: counts.id(), offset: 0, size: counts.len() * 4 });
         let groups = plan.vertices.div_ceil(VERTICES).max(1);
         pieces::record(job, batch * groups, u64::from(8 * VERTICES), |job, piece| {
-            let params = job.value("count params", &plan.params(pair, groups, &piece));
+            let params = job.value("count params", &plan.params(place, groups, &piece));
             job.launch(program, "count", &Count { params, frames, vertices, counts }, [piece.len() as u32, 1, 1]);
         });
         self.scan.record(job, Kind::Exclusive, (batch << plan.bin_bits) + 1, counts, starts)?;
         pieces::record(job, batch * groups, u64::from(16 * VERTICES), |job, piece| {
-            let params = job.value("place params", &plan.params(pair, groups, &piece));
+            let params = job.value("place params", &plan.params(place, groups, &piece));
             let bound = Place { params, frames, vertices, cursors: starts, placed: points };
             job.launch(program, "place", &bound, [piece.len() as u32, 1, 1]);
         });
         let groups = plan.parts.div_ceil(PARTS).max(1);
         pieces::record(job, batch * groups, plan.work, |job, piece| {
-            record_occlude(job, program, mesh, plan, work, (pair, groups, piece));
+            record_occlude(job, program, mesh, plan, work, (place, groups, piece));
         });
         Ok(())
     }
@@ -267,13 +282,13 @@ fn record_occlude(
     mesh: &Resident,
     plan: Plan,
     work: &Work,
-    (pair, groups, piece): (u32, u32, Range<u32>),
+    (place, groups, piece): ((u32, u32), u32, Range<u32>),
 ) {
     let Resident { vertices, corners, numbers, .. } = *mesh;
     let Work { frames, bins: [_, starts], points, occluded } = *work;
     let launch = piece.len() as u32;
     let more = job.slice("groups of the rest", &[launch, 0, 1]);
-    let params = job.value("occlude params", &plan.params(pair, groups, &piece));
+    let params = job.value("occlude params", &plan.params(place, groups, &piece));
     let bound = Occlude { params, frames, vertices, corners, starts, points, occluded, numbers, more };
     job.launch(program, "occlude", &bound, [launch, 1, 1]);
     if plan.vertices <= MOST {

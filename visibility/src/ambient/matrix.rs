@@ -6,6 +6,9 @@
 //! divided among several [`Part`]s. Invariant: the bits of the first [`Matrix::done`] directions are those of
 //! `vertex_visibility`'s definition, whatever the blocks, the parts and the machine.
 
+use std::collections::BTreeSet;
+use std::ops::Range;
+
 use sightlines_backend::{Backend, Counts};
 use sightlines_kernels::light_sphere::oracle::Direction;
 
@@ -122,11 +125,9 @@ impl<'a> Matrix<'a> {
         if self.done >= end {
             return Ok(false);
         }
-        // The last word may be filled in part: it is computed again as a whole.
-        let first = self.done / 32;
-        let block = &self.directions[32 * first as usize..end as usize];
+        let block = &self.directions[self.done as usize..end as usize];
         for part in &mut self.parts {
-            part.see(&self.kernels, first, block)?;
+            part.see(&self.kernels, (self.done, block))?;
         }
         self.done = end;
         Ok(true)
@@ -151,10 +152,10 @@ impl<'a> Matrix<'a> {
     ///
     /// # Errors
     ///
-    /// Bits of another size.
+    /// Bits of another size, or of a number of directions that no block ends with.
     pub fn restore(&mut self, done: u32, words: &[u32]) -> Result<()> {
         let (rows, positions) = (done.div_ceil(32) as usize, self.positions as usize);
-        if done > self.sphere.count() || words.len() != rows * positions {
+        if !stops(self.sphere).contains(&done) || words.len() != rows * positions {
             let what = format!("{} words for {done} directions of {positions} positions", words.len());
             return Err(Place::default().element("matrix").error(what, "compute the matrix anew"));
         }
@@ -202,17 +203,22 @@ impl<'a> Matrix<'a> {
     }
 }
 
-/// Numbers of directions that blocks may have.
-fn block_shapes(sphere: Sphere) -> Vec<u32> {
+/// Numbers of directions after which blocks end.
+fn stops(sphere: Sphere) -> BTreeSet<u32> {
+    let counts = sphere.refinements().into_iter().map(Sphere::count);
+    (0..sphere.count()).step_by(32 * BLOCK_WORDS as usize).chain(counts).collect()
+}
+
+/// Where blocks may begin and end within the words of one: at its borders, and where a refinement is complete.
+fn block_shapes(sphere: Sphere) -> Vec<Range<u32>> {
     let most = 32 * BLOCK_WORDS;
-    let last = |sphere: Sphere| match sphere.count() % most {
-        0 => most,
-        rest => rest,
-    };
-    let mut shapes: Vec<u32> = sphere.refinements().into_iter().map(last).chain([most.min(sphere.count())]).collect();
-    shapes.sort_unstable();
-    shapes.dedup();
-    shapes
+    let stops = stops(sphere);
+    let blocks = stops.iter().flat_map(|&start| {
+        let here = move |end: &u32| (start + 1..=(start / most + 1) * most).contains(end);
+        stops.iter().copied().filter(here).map(move |end| (start % most, end - start))
+    });
+    let shapes: BTreeSet<(u32, u32)> = blocks.collect();
+    shapes.into_iter().map(|(start, count)| start..start + count).collect()
 }
 
 fn check_size(positions: u64, words: u64, sphere: Sphere) -> Result<()> {
@@ -239,9 +245,12 @@ mod tests {
 
     #[test]
     fn blocks_have_few_shapes() {
-        assert_eq!(block_shapes(Sphere::Octahedron { level: 0 }), [6]);
-        assert_eq!(block_shapes(Sphere::Octahedron { level: 5 }), [2, 6, 18, 64]);
-        assert_eq!(block_shapes(Sphere::Healpix { order: 0 }), [12]);
-        assert_eq!(block_shapes(Sphere::Healpix { order: 2 }), [64]);
+        assert_eq!(block_shapes(Sphere::Octahedron { level: 0 }), [0..6]);
+        assert_eq!(
+            block_shapes(Sphere::Octahedron { level: 5 }),
+            [0..2, 0..6, 0..18, 0..64, 2..64, 6..18, 6..64, 18..64]
+        );
+        assert_eq!(block_shapes(Sphere::Healpix { order: 0 }), [0..12]);
+        assert_eq!(block_shapes(Sphere::Healpix { order: 2 }), [0..64]);
     }
 }

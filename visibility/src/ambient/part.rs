@@ -3,6 +3,8 @@
 //! Three stages share its memory: blocks of visibility, light and encoding. They are recorded when they are needed,
 //! against tables that were measured when the session was opened.
 
+use std::ops::Range;
+
 use glam::{IVec4, UVec4};
 use sightlines_backend::host::Buffer;
 use sightlines_backend::{Backend, Command, Job, Read, Recording, Session};
@@ -47,13 +49,13 @@ pub(super) struct Part<'a> {
 }
 
 impl<'a> Part<'a> {
-    /// `chosen` positions and the vertices at each; all directions, and the numbers of them that blocks may have.
+    /// `chosen` positions and the vertices at each; all directions, and the blocks of them that may be asked for.
     pub(super) fn open(
         backend: &'a dyn Backend,
         kernels: &Kernels,
         surface: &Surface,
         (chosen, vertices_of): (&[u32], &[Vec<u32>]),
-        (directions, shapes): (&[Direction], &[u32]),
+        (directions, shapes): (&[Direction], &[Range<u32>]),
         bias: u32,
     ) -> Result<Self> {
         let mut job = Job::new();
@@ -65,7 +67,8 @@ impl<'a> Part<'a> {
         let encode = Stage::after(&lit);
         let (encoded, _) = kept.encode(&encode, kernels, colours, &[u32::MAX; 255])?;
         let see = Stage::after(&encoded);
-        let blocks = shapes.iter().map(|&shape| kept.see(&see, kernels, 0, &directions[..shape as usize]));
+        let block = |shape: &Range<u32>| (shape.start, &directions[shape.start as usize..shape.end as usize]);
+        let blocks = shapes.iter().map(|shape| kept.see(&see, kernels, block(shape)));
         let table = see.widest(&blocks.collect::<Result<Vec<_>>>()?);
         let all = table.table();
         let mut session = backend.open(&all.programs, &all.buffers)?;
@@ -77,9 +80,9 @@ impl<'a> Part<'a> {
         self.kept.surface.positions
     }
 
-    /// Computes the bits of a block of directions, whose first is 32 `word`.
-    pub(super) fn see(&mut self, kernels: &Kernels, word: u32, block: &[Direction]) -> Result<()> {
-        let job = self.kept.see(&self.starts[2], kernels, word, block)?;
+    /// Computes the bits of a block of directions: the number of the first, and all of them.
+    pub(super) fn see(&mut self, kernels: &Kernels, block: (u32, &[Direction])) -> Result<()> {
+        let job = self.kept.see(&self.starts[2], kernels, block)?;
         self.run(&job)
     }
 
@@ -158,22 +161,12 @@ fn keep(
 }
 
 impl Kept {
-    fn see(&self, start: &Stage, kernels: &Kernels, word: u32, block: &[Direction]) -> Result<Job> {
-        let positions = u64::from(self.surface.positions);
-        let size = 4 * positions * (block.len() as u64).div_ceil(32);
-        let recorded = start.record(|job| {
-            let bits = job.zeroed("block", size / 4);
-            kernels.visibility.record(job, &self.mesh, block, self.bias, bits)?;
-            job.record(Command::Copy {
-                from: bits.id(),
-                from_offset: 0,
-                to: self.surface.occluded.id(),
-                to_offset: 4 * positions * u64::from(word),
-                size,
-            });
+    fn see(&self, start: &Stage, kernels: &Kernels, block: (u32, &[Direction])) -> Result<Job> {
+        let see = |job: &mut Job| {
+            kernels.visibility.record(job, &self.mesh, block, self.bias, self.surface.occluded)?;
             Ok(())
-        });
-        Ok(recorded?.0)
+        };
+        Ok(start.record(see)?.0)
     }
 
     fn light(&self, start: &Stage, kernels: &Kernels, light: &Intensities) -> Result<(Job, Buffer<[u32]>)> {
