@@ -5,6 +5,7 @@ use std::cell::Cell;
 use fearless_simd::Simd;
 
 use super::alu;
+use super::atomic;
 use super::fused;
 use super::mask::{CHUNK, Exec, Mask};
 use super::memory::{self, Outside, Private, SharedWord};
@@ -398,9 +399,9 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
         let outside = match args.mem {
             Mem::Buffer(slot) => match self.launch.views[slot as usize] {
                 View::Read(_) => None,
-                View::Write(words) => memory::atomic(rows, exec, words, args),
+                View::Write(words) => atomic::atomic(self.s, rows, exec, words, args),
             },
-            Mem::Workgroup => memory::atomic(rows, exec, self.workgroup, args),
+            Mem::Workgroup => atomic::atomic(self.s, rows, exec, self.workgroup, args),
             Mem::Private => None,
         };
         self.stop(outside, args.site)

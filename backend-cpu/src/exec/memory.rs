@@ -1,4 +1,4 @@
-//! Loads, stores and atomics: buffers, workgroup memory, private memory.
+//! Words of memory, loads and stores: buffers, workgroup memory, private memory.
 //!
 //! Every access is in range or handled: clamped to the last word, as naga's `Restrict` policy does, or reported, when the
 //! run traps. One worker uses plain cells, several use relaxed atomics on the same words.
@@ -11,7 +11,7 @@ use fearless_simd::Simd;
 use super::alu;
 use super::mask::{CHUNK, Exec};
 use super::rows::{Chunk, Rows};
-use crate::code::{AtomicArgs, AtomicOp, Reg};
+use crate::code::{AtomicOp, Reg};
 use crate::semantics;
 
 /// A word of memory that can be read.
@@ -130,9 +130,14 @@ pub(super) fn load<S: Simd, T: Word>(
     if let Some(base) = base {
         let start = base.wrapping_add(offset) as usize;
         if let Some(run) = words.get(start..).and_then(|w| w.get(..row.len() * CHUNK)) {
-            for (cell, run) in row.iter().zip(run.chunks_exact(CHUNK)) {
-                cell.set(Chunk(std::array::from_fn(|i| run[i].load())));
-            }
+            s.vectorize(
+                #[inline(always)]
+                || {
+                    for (cell, run) in row.iter().zip(run.chunks_exact(CHUNK)) {
+                        cell.set(Chunk(std::array::from_fn(|i| run[i].load())));
+                    }
+                },
+            );
             return None;
         }
     }
@@ -187,7 +192,10 @@ pub(super) fn store<S: Simd, T: SharedWord>(
         let count = exec.mask.count() as usize;
         let start = base.wrapping_add(offset) as usize;
         if let Some(run) = words.get(start..).and_then(|w| w.get(..count)) {
-            store_run(r, run, value);
+            s.vectorize(
+                #[inline(always)]
+                || store_run(r, run, value),
+            );
             return None;
         }
     }
@@ -199,7 +207,7 @@ pub(super) fn store<S: Simd, T: SharedWord>(
         }
         let mut places = addr.get().0;
         places.iter_mut().for_each(|place| *place = place.wrapping_add(offset));
-        let values = if value.is_scalar() { [r.scalar(value); CHUNK] } else { r.row(value)[i].get().0 };
+        let values = r.chunk(value, exec.low + i);
         if inside {
             store_chunk(words, places, values, bits);
             continue;
@@ -233,6 +241,7 @@ fn store_chunk<T: SharedWord>(words: &[T], places: [u32; CHUNK], values: [u32; C
     }
 }
 
+#[inline(always)]
 fn store_run<T: SharedWord>(r: Rows<'_>, run: &[T], value: Reg) {
     if value.is_scalar() {
         let word = r.scalar(value);
@@ -262,64 +271,6 @@ fn store_lane<T: SharedWord>(words: &[T], index: u32, value: u32, lane: usize) -
         last.store(value);
     }
     Some(Outside { lane, index, length: words.len() as u32 })
-}
-
-/// Applies an atomic operation for each active lane, in the order of lanes.
-pub(super) fn atomic<T: SharedWord>(r: Rows<'_>, exec: &Exec, words: &[T], args: &AtomicArgs) -> Option<Outside> {
-    let mut outside = None;
-    if args.addr.is_scalar() && args.dst.is_none() && args.op != AtomicOp::CompareExchange {
-        let index = r.scalar(args.addr).wrapping_add(args.offset);
-        let lane = exec.mask.first_lane()?;
-        let place = words.get(index as usize).or(words.last());
-        if let (Some(place), Some(value)) = (place, combine(r, exec, args)) {
-            place.update(args.op, value);
-            let inside = (index as usize) < words.len();
-            return (!inside).then_some(Outside { lane, index, length: words.len() as u32 });
-        }
-    }
-    for i in exec.low..exec.high {
-        let mut bits = exec.mask.chunk(i);
-        while bits != 0 {
-            let lane = i * CHUNK + bits.trailing_zeros() as usize;
-            bits &= bits - 1;
-            let index = r.lane(args.addr, lane).wrapping_add(args.offset);
-            let place = match words.get(index as usize) {
-                Some(place) => Some(place),
-                None => {
-                    outside = outside.or(Some(Outside { lane, index, length: words.len() as u32 }));
-                    words.last()
-                }
-            };
-            let value = r.lane(args.value, lane);
-            let old = match (place, args.compare) {
-                (Some(place), Some(compare)) => place.compare_exchange(r.lane(compare, lane), value),
-                (Some(place), None) => place.update(args.op, value),
-                (None, _) => 0,
-            };
-            if let Some(dst) = args.dst {
-                r.set_lane(dst, lane, old);
-            }
-        }
-    }
-    outside
-}
-
-/// One operand that does to a word what the operands of all active lanes do, in order.
-fn combine(r: Rows<'_>, exec: &Exec, args: &AtomicArgs) -> Option<u32> {
-    let op = match args.op {
-        // A difference of many is the difference of their sum.
-        AtomicOp::Sub => AtomicOp::Add,
-        AtomicOp::CompareExchange => return None,
-        op => op,
-    };
-    let mut total = None;
-    for lane in exec.low * CHUNK..exec.high * CHUNK {
-        if exec.mask.has(lane) {
-            let value = r.lane(args.value, lane);
-            total = Some(total.map_or(value, |sum| semantics::atomic(op, sum, value)));
-        }
-    }
-    total
 }
 
 /// Private memory: word `e` of lane `l` stands at `e * lanes + l`.

@@ -5,6 +5,7 @@
 //! atomics, and of several traps the one of the first gang is reported.
 
 mod alu;
+mod atomic;
 mod compare;
 mod control;
 mod fused;

@@ -74,12 +74,19 @@ impl<'a> Rows<'a> {
         self.vectors[register.index() * self.chunks + lane / CHUNK].get().0[lane % CHUNK]
     }
 
-    /// Writes one lane of a vector register.
-    pub(super) fn set_lane(&self, register: Reg, lane: usize, word: u32) {
-        let cell = &self.vectors[register.index() * self.chunks + lane / CHUNK];
-        let mut chunk = cell.get();
-        chunk.0[lane % CHUNK] = word;
-        cell.set(chunk);
+    /// Chunk `index`, counted from the first lane, of an operand.
+    #[inline(always)]
+    pub(super) fn chunk(&self, register: Reg, index: usize) -> [u32; CHUNK] {
+        if register.is_scalar() {
+            return [self.scalar(register); CHUNK];
+        }
+        self.vectors[register.index() * self.chunks + index].get().0
+    }
+
+    /// Writes a chunk of a vector register.
+    #[inline(always)]
+    pub(super) fn set_chunk(&self, register: Reg, index: usize, words: [u32; CHUNK]) {
+        self.vectors[register.index() * self.chunks + index].set(Chunk(words));
     }
 
     /// A vector register as an operand.

@@ -108,7 +108,7 @@ impl Builder<'_> {
         };
         let axes = if matches!(ty, TypeInner::Vector { .. }) { 3 } else { 1 };
         for axis in 0..axes {
-            let size = self.workgroup_size[axis as usize];
+            let size = self.tree.workgroup_size[axis as usize];
             let op = match builtin {
                 naga::BuiltIn::LocalInvocationId if size == 1 => Op::Const(0),
                 naga::BuiltIn::GlobalInvocationId if size == 1 => Op::Builtin(Builtin::GroupId(axis)),

@@ -1,6 +1,6 @@
 //! Constant folding and the few algebraic rules that inlining makes worth while. Integers only: no rule changes a bit.
 
-use super::tree::{Op, Tree, Val};
+use super::tree::{Builtin, Op, Tree, Val};
 use crate::code::{BinOp, TernOp, UnOp};
 use crate::semantics;
 
@@ -83,6 +83,9 @@ pub(super) fn greatest(tree: &Tree, val: Val, depth: u32) -> u32 {
     let shift = |val: Val| tree.constant(val).filter(|by| *by < 32);
     match tree.op(val) {
         Op::Const(word) => word,
+        Op::Builtin(Builtin::LocalId(axis)) => tree.workgroup_size[axis as usize].saturating_sub(1),
+        Op::Builtin(Builtin::LocalIndex) => tree.workgroup_size.iter().product::<u32>().saturating_sub(1),
+        Op::Check { index, length, .. } => of(index).min(of(length).saturating_sub(1)),
         Op::Bin(BinOp::And | BinOp::MinU, a, b) => of(a).min(of(b)),
         Op::Bin(BinOp::MaxU, a, b) | Op::Tern(TernOp::Select, _, a, b) => of(a).max(of(b)),
         // All bits below the highest that either can have.

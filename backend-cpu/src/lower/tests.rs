@@ -84,7 +84,7 @@ impl Ex {
 
     fn build(&self, builder: &mut Builder<'_>) -> Val {
         match self {
-            Ex::In(index) => builder.define(Op::Builtin(Builtin::LocalId(*index))),
+            Ex::In(index) => builder.define(Op::Builtin(Builtin::GlobalId(*index))),
             Ex::Word(word) => builder.constant(*word),
             Ex::Un(op, a) => {
                 let a = a.build(builder);
@@ -107,7 +107,7 @@ fn value(tree: &Tree, val: Val, inputs: [u32; 3]) -> u32 {
     let of = |val: Val| value(tree, val, inputs);
     match tree.op(val) {
         Op::Const(word) => word,
-        Op::Builtin(Builtin::LocalId(index)) => inputs[index as usize],
+        Op::Builtin(Builtin::GlobalId(index)) => inputs[index as usize],
         Op::Un(op, a) => unary(op, of(a)),
         Op::Bin(op, a, b) => binary(op, of(a), of(b)),
         Op::Tern(op, a, b, c) => ternary(op, of(a), of(b), of(c)),

@@ -149,6 +149,7 @@ pub(crate) struct Tree {
     /// Words of private memory of one invocation.
     pub(crate) private_words: u32,
     pub(crate) has_barrier: bool,
+    pub(crate) workgroup_size: [u32; 3],
 }
 
 impl Tree {

@@ -12,15 +12,17 @@
 // the table wraps, and a rectangle is still answered exactly if its own sum is below 2^32. The wide entry points hold
 // sums of any values whole: `table` has the low words and `high_table`, of the same shape, the high ones.
 //
-// `bands` scans the rows and sums the columns of each band of 16 rows; `carries` sums what stands above each band, and
-// `add` adds it. Rectangles are half-open: `x0 <= x < x1`, `y0 <= y < y1`, cut to the image, and 0 when empty; each is
-// answered for every channel, the sums one channel after another.
+// `bands` makes the table of each band of 16 rows by itself, 4 rows by 1024 columns at a time; `carries` sums what stands
+// above each band, and `add` adds it. Rectangles are half-open: `x0 <= x < x1`, `y0 <= y < y1`, cut to the image, and 0
+// when empty; each is answered for every channel, the sums one channel after another.
 
-import package::shared::block_scan::{block_scan, prefix4};
+import package::shared::block_scan::{prefix4, row_scans};
 import package::shared::wide::{add64, sub64};
 
-/// Rows that one workgroup sums.
+/// Rows that one workgroup sums, a multiple of the four that it scans at once.
 const BAND: u32 = 16u;
+/// Fours of a block of columns: one a lane.
+const BLOCK: u32 = 256u;
 
 struct Params {
     /// Columns in fours, 1 to 1024.
@@ -55,44 +57,71 @@ fn row_start(channel: u32, row: u32) -> u32 {
     return (channel * params.height + row) * params.fours;
 }
 
-fn fetch(start: u32, column: u32) -> vec4<u32> {
-    var four = vec4<u32>(0u);
-    if (column < params.fours) {
-        four = image[start + column];
-    }
-    return four;
+/// The rows of a band, in one channel.
+struct Rows {
+    channel: u32,
+    top: u32,
+    end: u32,
 }
 
-fn emit(start: u32, column: u32, four: vec4<u32>) {
-    if (column < params.fours) {
-        table[start + column] = four;
+/// Four pixels; others of the image beside it and below the band: sums there are neither written nor used.
+fn fetch(rows: Rows, row: u32, column: u32) -> vec4<u32> {
+    return image[row_start(rows.channel, min(row, rows.end - 1u)) + min(column, params.fours - 1u)];
+}
+
+fn emit(rows: Rows, row: u32, column: u32, four: vec4<u32>) {
+    if (row < rows.end) {
+        if (column < params.fours) {
+            table[row_start(rows.channel, row) + column] = four;
+        }
     }
+}
+
+/// What the table of a band has in the column left of a block; zero above the band.
+fn edge(rows: Rows, row: u32, block: u32) -> u32 {
+    var sum = 0u;
+    if (rows.top <= row && row < rows.end) {
+        sum = table[row_start(rows.channel, row) + block - 1u].w;
+    }
+    return sum;
+}
+
+/// Sums of four rows of a band left of a block.
+fn left_sums(rows: Rows, row: u32, block: u32) -> vec4<u32> {
+    var sums = vec4<u32>(0u);
+    if (block > 0u) {
+        let a = edge(rows, row, block);
+        let b = edge(rows, row + 1u, block);
+        let c = edge(rows, row + 2u, block);
+        sums = vec4<u32>(a, b, c, edge(rows, row + 3u, block)) - vec4<u32>(edge(rows, row - 1u, block), a, b, c);
+    }
+    return sums;
 }
 
 /// The table of each band by itself; a row of workgroups takes a channel.
 @compute @workgroup_size(256)
 fn bands(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     let top = (params.first + group.x) * BAND;
-    let end = min(top + BAND, params.height);
-    var sum_a = vec4<u32>(0u);
-    var sum_b = vec4<u32>(0u);
-    var sum_c = vec4<u32>(0u);
-    var sum_d = vec4<u32>(0u);
-    for (var row = top; row < end; row += 1u) {
-        let start = row_start(group.y, row);
-        let a = prefix4(fetch(start, lane));
-        let b = prefix4(fetch(start, lane + 256u));
-        let c = prefix4(fetch(start, lane + 512u));
-        let d = prefix4(fetch(start, lane + 768u));
-        let before = block_scan(lane, vec4<u32>(a.w, b.w, c.w, d.w));
-        sum_a += before.x + a;
-        sum_b += before.y + b;
-        sum_c += before.z + c;
-        sum_d += before.w + d;
-        emit(start, lane, sum_a);
-        emit(start, lane + 256u, sum_b);
-        emit(start, lane + 512u, sum_c);
-        emit(start, lane + 768u, sum_d);
+    let rows = Rows(group.y, top, min(top + BAND, params.height));
+    for (var block = 0u; block < params.fours; block += BLOCK) {
+        let column = block + lane;
+        var sum = vec4<u32>(0u);
+        for (var row = top; row < rows.end; row += 4u) {
+            let a = prefix4(fetch(rows, row, column));
+            let b = prefix4(fetch(rows, row + 1u, column));
+            let c = prefix4(fetch(rows, row + 2u, column));
+            let d = prefix4(fetch(rows, row + 3u, column));
+            let before = row_scans(lane, vec4<u32>(a.w, b.w, c.w, d.w), left_sums(rows, row, block));
+            sum += before.x + a;
+            emit(rows, row, column, sum);
+            sum += before.y + b;
+            emit(rows, row + 1u, column, sum);
+            sum += before.z + c;
+            emit(rows, row + 2u, column, sum);
+            sum += before.w + d;
+            emit(rows, row + 3u, column, sum);
+        }
+        storageBarrier();
     }
 }
 
@@ -172,52 +201,65 @@ fn add_wide(a: Wide, b: Wide) -> Wide {
     return Wide(low, a.high + b.high + select(vec4<u32>(0u), vec4<u32>(1u), low < b.low));
 }
 
-/// Sums of four words from the sums of their lower and upper halves: rows have at most 4096 words, so both are below 2^28.
+/// Sums of words from the sums of their lower and upper halves: a block has 1024 columns, so both are below 2^26.
 fn from_halves(lower: vec4<u32>, upper: vec4<u32>) -> Wide {
     return add_wide(Wide(lower, vec4<u32>(0u)), Wide(upper << vec4<u32>(16u), upper >> vec4<u32>(16u)));
 }
 
-fn emit_wide(start: u32, column: u32, four: Wide) {
-    if (column < params.fours) {
-        table[start + column] = four.low;
-        high_table[start + column] = four.high;
+fn emit_wide(rows: Rows, row: u32, column: u32, four: Wide) {
+    if (row < rows.end) {
+        if (column < params.fours) {
+            let place = row_start(rows.channel, row) + column;
+            table[place] = four.low;
+            high_table[place] = four.high;
+        }
     }
+}
+
+/// What the table of a band has in the column left of a block, four times.
+fn edge_wide(rows: Rows, row: u32, block: u32) -> Wide {
+    var sum = Wide(vec4<u32>(0u), vec4<u32>(0u));
+    if (row < rows.end && block > 0u) {
+        let place = row_start(rows.channel, row) + block - 1u;
+        sum = Wide(vec4<u32>(table[place].w), vec4<u32>(high_table[place].w));
+    }
+    return sum;
 }
 
 @compute @workgroup_size(256)
 fn bands_wide(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     let top = (params.first + group.x) * BAND;
-    let end = min(top + BAND, params.height);
+    let rows = Rows(group.y, top, min(top + BAND, params.height));
     let half = vec4<u32>(16u);
-    let zero = Wide(vec4<u32>(0u), vec4<u32>(0u));
-    var sum_a = zero;
-    var sum_b = zero;
-    var sum_c = zero;
-    var sum_d = zero;
-    for (var row = top; row < end; row += 1u) {
-        let start = row_start(group.y, row);
-        let image_a = fetch(start, lane);
-        let image_b = fetch(start, lane + 256u);
-        let image_c = fetch(start, lane + 512u);
-        let image_d = fetch(start, lane + 768u);
-        let a = prefix4(image_a & vec4<u32>(0xffffu));
-        let b = prefix4(image_b & vec4<u32>(0xffffu));
-        let c = prefix4(image_c & vec4<u32>(0xffffu));
-        let d = prefix4(image_d & vec4<u32>(0xffffu));
-        let e = prefix4(image_a >> half);
-        let f = prefix4(image_b >> half);
-        let g = prefix4(image_c >> half);
-        let h = prefix4(image_d >> half);
-        let lower = block_scan(lane, vec4<u32>(a.w, b.w, c.w, d.w));
-        let upper = block_scan(lane, vec4<u32>(e.w, f.w, g.w, h.w));
-        sum_a = add_wide(sum_a, from_halves(lower.x + a, upper.x + e));
-        sum_b = add_wide(sum_b, from_halves(lower.y + b, upper.y + f));
-        sum_c = add_wide(sum_c, from_halves(lower.z + c, upper.z + g));
-        sum_d = add_wide(sum_d, from_halves(lower.w + d, upper.w + h));
-        emit_wide(start, lane, sum_a);
-        emit_wide(start, lane + 256u, sum_b);
-        emit_wide(start, lane + 512u, sum_c);
-        emit_wide(start, lane + 768u, sum_d);
+    let none = vec4<u32>(0u);
+    for (var block = 0u; block < params.fours; block += BLOCK) {
+        let column = block + lane;
+        var sum = Wide(none, none);
+        for (var row = top; row < rows.end; row += 4u) {
+            let image_a = fetch(rows, row, column);
+            let image_b = fetch(rows, row + 1u, column);
+            let image_c = fetch(rows, row + 2u, column);
+            let image_d = fetch(rows, row + 3u, column);
+            let a = prefix4(image_a & vec4<u32>(0xffffu));
+            let b = prefix4(image_b & vec4<u32>(0xffffu));
+            let c = prefix4(image_c & vec4<u32>(0xffffu));
+            let d = prefix4(image_d & vec4<u32>(0xffffu));
+            let e = prefix4(image_a >> half);
+            let f = prefix4(image_b >> half);
+            let g = prefix4(image_c >> half);
+            let h = prefix4(image_d >> half);
+            let lower = row_scans(lane, vec4<u32>(a.w, b.w, c.w, d.w), none);
+            let upper = row_scans(lane, vec4<u32>(e.w, f.w, g.w, h.w), none);
+            sum = add_wide(sum, from_halves(lower.x + a, upper.x + e));
+            emit_wide(rows, row, column, add_wide(sum, edge_wide(rows, row, block)));
+            sum = add_wide(sum, from_halves(lower.y + b, upper.y + f));
+            emit_wide(rows, row + 1u, column, add_wide(sum, edge_wide(rows, row + 1u, block)));
+            sum = add_wide(sum, from_halves(lower.z + c, upper.z + g));
+            emit_wide(rows, row + 2u, column, add_wide(sum, edge_wide(rows, row + 2u, block)));
+            sum = add_wide(sum, from_halves(lower.w + d, upper.w + h));
+            emit_wide(rows, row + 3u, column, add_wide(sum, edge_wide(rows, row + 3u, block)));
+        }
+        storageBarrier();
     }
 }
 
