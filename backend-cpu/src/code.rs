@@ -157,6 +157,24 @@ pub enum Inst<R = Reg> {
         offset: u32,
         site: u32,
     },
+    /// Loads of four neighbouring words of each lane; the site of each is `step` behind the one before.
+    LoadRecord {
+        dst: [R; 4],
+        mem: Mem,
+        addr: R,
+        offset: u32,
+        site: u32,
+        step: u8,
+    },
+    /// Masked: stores of four neighbouring words of each lane.
+    StoreRecord {
+        mem: Mem,
+        addr: R,
+        values: [R; 4],
+        offset: u32,
+        site: u32,
+        step: u8,
+    },
     /// Private memory only; not masked.
     Zero {
         offset: u32,
@@ -324,6 +342,14 @@ impl<R: Copy> Inst<R> {
             }
             Inst::Store { mem, addr, value, offset, site } => {
                 Inst::Store { mem, addr: f(addr, false), value: f(value, false), offset, site }
+            }
+            Inst::LoadRecord { dst, mem, addr, offset, site, step } => {
+                let addr = f(addr, false);
+                Inst::LoadRecord { dst: dst.map(|r| f(r, true)), mem, addr, offset, site, step }
+            }
+            Inst::StoreRecord { mem, addr, values, offset, site, step } => {
+                let (addr, values) = (f(addr, false), values.map(|r| f(r, false)));
+                Inst::StoreRecord { mem, addr, values, offset, site, step }
             }
             Inst::Atomic { index } => Inst::Atomic { index },
             Inst::JumpIf { test, to } => Inst::JumpIf { test: test.map(f), to },

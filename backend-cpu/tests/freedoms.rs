@@ -133,3 +133,138 @@ fn a_session_goes_on_after_a_trap() {
     session.submit(&job.recordings[0]).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(read(session.as_mut(), &job.reads[0]), [1, 9]);
 }
+
+/// A number, a condition and an operation in WGSL, and what each means.
+type Number = (&'static str, fn(u32) -> u32);
+type Condition = (&'static str, fn(u32) -> bool);
+type Operation = (&'static str, fn(u32, u32) -> u32);
+
+/// What four loads and four stores of neighbouring words do, word after word and lane after lane: the words at the end, and
+/// the line and lane of the access that traps.
+fn plain(words: &[u32], lanes: &[(u32, u32, u32)], traps: bool) -> (Option<(u32, u32)>, Vec<u32>) {
+    let (mut data, last) = (words.to_vec(), words.len() as u32 - 1);
+    let place = |at: u32| at.min(last) as usize;
+    let outside = |k: u32, at: fn(&(u32, u32, u32)) -> u32| {
+        lanes.iter().find(|lane| traps && at(lane).wrapping_add(k) > last).map(|lane| lane.0)
+    };
+    for k in 0..4 {
+        if let Some(lane) = outside(k, |lane| lane.1) {
+            return (Some((5 + k, lane)), data);
+        }
+    }
+    for k in 0..4 {
+        for (lane, from, to) in lanes {
+            data[place(to.wrapping_add(k))] = words[place(from.wrapping_add(k))].wrapping_mul(3).wrapping_add(lane + k);
+        }
+        if let Some(lane) = outside(k, |lane| lane.2) {
+            return (Some((9 + k, lane)), data);
+        }
+    }
+    (None, data)
+}
+
+#[test]
+fn neighbouring_words_are_accessed_word_after_word() {
+    let shapes: [Number; 9] = [
+        ("4u * i", |i| 4 * i),
+        ("4u * i + 8u", |i| 4 * i + 8),
+        ("5u * i + 1u", |i| 5 * i + 1),
+        ("3u * i", |i| 3 * i),
+        ("i", |i| i),
+        ("4u * (99u - i)", |i| 4 * (99 - i)),
+        ("i / 3u * 4u", |i| i / 3 * 4),
+        ("(i * 7u % 13u) * 4u + 2u", |i| i * 7 % 13 * 4 + 2),
+        ("4u * i - 4u", |i| (4 * i).wrapping_sub(4)),
+    ];
+    let masks: [Condition; 4] =
+        [("true", |_| true), ("i % 7u != 3u", |i| i % 7 != 3), ("i >= 90u", |i| i >= 90), ("i == 50u", |i| i == 50)];
+    let words: Vec<u32> = (0..400u32).map(|i| i.wrapping_mul(0x9e37_79b9) >> 7).collect();
+    for ((load, from), (store, to)) in shapes.iter().flat_map(|load| shapes.iter().map(move |store| (load, store))) {
+        for (mask, active) in masks {
+            let text = format!(
+                "@compute @workgroup_size(100) fn main(@builtin(local_invocation_index) i: u32) {{
+                if {mask} {{
+                    let a = {load}; let b = {store};
+                    let w = data[a];
+                    let x = data[a + 1u];
+                    let y = data[a + 2u];
+                    let z = data[a + 3u];
+                    data[b] = w * 3u + i;
+                    data[b + 1u] = x * 3u + i + 1u;
+                    data[b + 2u] = y * 3u + i + 2u;
+                    data[b + 3u] = z * 3u + i + 3u;
+                }} }}"
+            );
+            let lanes: Vec<_> = (0..100).filter(|i| active(*i)).map(|i| (i, from(i), to(i))).collect();
+            for (count, bounds) in
+                [(400, Bounds::Clamp), (400, Bounds::Trap), (203, Bounds::Clamp), (203, Bounds::Trap)]
+            {
+                let (trap, expected) = plain(&words[..count], &lanes, bounds == Bounds::Trap);
+                for simd in Simd::available() {
+                    let config = Config { threads: 1, simd: Some(simd), bounds, ..Config::default() };
+                    let (error, after) = run(config, &words[..count], &[1], &text);
+                    let found = error.map(|error| match error {
+                        ErrorKind::Trap(trap) => (trap.location.map(|at| at.line), trap.invocation.map(|id| id[0])),
+                        other => panic!("{other}"),
+                    });
+                    let what = format!("{load} to {store} where {mask} of {count} words, {config:?}");
+                    assert_eq!(found, trap.map(|(line, lane)| (Some(line), Some(lane))), "{what}");
+                    assert_eq!(after, expected, "{what}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn neighbouring_words_become_records() {
+    let text = "@group(0) @binding(0) var<storage, read> input: array<array<vec4u, 3>>;
+        @group(0) @binding(1) var<storage, read_write> output: array<u32>;
+        @compute @workgroup_size(64) fn main(@builtin(global_invocation_id) id: vec3u) {
+            let v = input[id.x][1];
+            let at = 4u * id.x;
+            output[at] = v.x;
+            output[at + 1u] = v.y + 1u;
+            output[at + 2u] = v.z;
+            output[at + 3u] = v.w * 3u;
+        }";
+    let program = Program::unlinted("t", Linked::single("t.wgsl", text).expect("links")).expect("compiles");
+    let code = CpuBackend::lowered(&program, "main", &[]).expect("lowers").to_string();
+    assert_eq!((code.matches("LoadRecord").count(), code.matches("StoreRecord").count()), (1, 1), "{code}");
+}
+
+#[test]
+fn atomics_without_results_are_those_of_one_lane_after_the_other() {
+    let operations: [Operation; 6] = [
+        ("atomicAdd", |old, word| old.wrapping_add(word)),
+        ("atomicSub", |old, word| old.wrapping_sub(word)),
+        ("atomicXor", |old, word| old ^ word),
+        ("atomicOr", |old, word| old | word),
+        ("atomicMin", |old, word| old.min(word)),
+        ("atomicExchange", |_, word| word),
+    ];
+    let places: [Number; 4] =
+        [("i * 5u % 9u", |i| i * 5 % 9), ("i / 20u", |i| i / 20), ("3u", |_| 3), ("i % 11u", |i| i % 11)];
+    let words: Vec<u32> = (0..9u32).map(|i| i.wrapping_mul(0x9e37_79b9)).collect();
+    for (name, apply) in operations {
+        for (place, at) in places {
+            for (mask, skip) in [("true", u32::MAX), ("i % 5u != 2u", 2)] {
+                let value = |i: u32| i.wrapping_mul(0x85eb_ca6b) ^ 77;
+                let text = format!(
+                    "@compute @workgroup_size(100) fn main(@builtin(local_invocation_index) i: u32) {{
+                    if {mask} {{ {name}(&data[{place}], (i * 0x85ebca6bu) ^ 77u); }} }}"
+                );
+                let mut expected = words.clone();
+                for i in (0..100).filter(|i| i % 5 != skip) {
+                    // Past the end is the last word.
+                    let word = &mut expected[at(i).min(8) as usize];
+                    *word = apply(*word, value(i));
+                }
+                for config in settings(Bounds::Clamp) {
+                    let (_, after) = run_on("array<atomic<u32>>", config, &words, &[1], &text);
+                    assert_eq!(after, expected, "{name} at {place} where {mask}, {config:?}");
+                }
+            }
+        }
+    }
+}

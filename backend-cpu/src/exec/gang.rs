@@ -5,12 +5,11 @@ use std::cell::Cell;
 use fearless_simd::Simd;
 
 use super::alu;
-use super::atomic;
 use super::fused;
 use super::mask::{CHUNK, Exec, Mask};
-use super::memory::{self, Outside, Private, SharedWord};
+use super::memory::{Outside, Private, SharedWord};
 use super::rows::{Chunk, Rows};
-use crate::code::{AtomicArgs, Code, Inst, Mem, Reg};
+use crate::code::{Code, Inst, Reg};
 use crate::lower::Builtin;
 use crate::semantics;
 
@@ -137,7 +136,7 @@ impl Worker {
             turns: &mut self.turns,
             exec,
             fuel: launch.fuel,
-            count,
+            groups: count,
             chunk_ops: Cell::from_mut(&mut self.chunk_ops),
         };
         gang.inputs(first);
@@ -152,18 +151,18 @@ impl Worker {
 
 pub(super) struct Gang<'a, S, W> {
     pub(super) s: S,
-    launch: &'a Launch<'a, W>,
+    pub(super) launch: &'a Launch<'a, W>,
     /// The registers, and the chunks that hold active lanes.
     pub(super) rows: Rows<'a>,
     pub(super) slots: &'a mut [Mask],
-    workgroup: &'a [Cell<u32>],
-    private: Private<'a>,
+    pub(super) workgroup: &'a [Cell<u32>],
+    pub(super) private: Private<'a>,
     tallies: &'a mut [Tally],
     turns: &'a mut [u32],
     pub(super) exec: Exec,
     pub(super) fuel: u64,
     /// Workgroups in this gang.
-    count: u32,
+    groups: u32,
     chunk_ops: &'a Cell<u64>,
 }
 
@@ -175,13 +174,13 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
     }
 
     #[inline(always)]
-    fn count_chunks(&self, chunks: usize) {
+    pub(super) fn count_chunks(&self, chunks: usize) {
         self.chunk_ops.set(self.chunk_ops.get() + chunks as u64);
     }
 
     /// The rows for an instruction on lanes, which is counted.
     #[inline(always)]
-    fn work(&self) -> Rows<'_> {
+    pub(super) fn work(&self) -> Rows<'_> {
         self.count_chunks(self.rows.len());
         self.rows
     }
@@ -205,7 +204,7 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
     }
 
     #[inline(always)]
-    fn set_scalar(&self, register: Reg, word: u32) {
+    pub(super) fn set_scalar(&self, register: Reg, word: u32) {
         self.rows.scalars[register.index()].set(word);
     }
 
@@ -288,6 +287,12 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
                 }
                 Inst::Load { dst, mem, addr, offset, site } => self.load(dst, mem, addr, offset, site)?,
                 Inst::Store { mem, addr, value, offset, site } => self.store(mem, addr, value, offset, site)?,
+                Inst::LoadRecord { dst, mem, addr, offset, site, step } => {
+                    self.load_record(dst, mem, (addr, offset), (site, step))?;
+                }
+                Inst::StoreRecord { mem, addr, values, offset, site, step } => {
+                    self.store_record(mem, (addr, offset), values, (site, step))?;
+                }
                 Inst::Zero { offset, count } => self.private.zero(offset, count),
                 Inst::Atomic { index } => self.atomic(&code.atomics[index as usize])?,
                 Inst::Barrier { site } => {
@@ -328,14 +333,7 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
         }
     }
 
-    fn stop(&self, outside: Option<Outside>, site: u32) -> Result<(), Stop> {
-        match outside {
-            Some(at) if self.launch.trap => Err(Stop::Outside { at, site }),
-            _ => Ok(()),
-        }
-    }
-
-    fn first_lane(&self) -> usize {
+    pub(super) fn first_lane(&self) -> usize {
         self.exec.mask.first_lane().unwrap_or(0)
     }
 
@@ -352,64 +350,9 @@ impl<S: Simd, W: SharedWord> Gang<'_, S, W> {
         self.stop(outside, site)
     }
 
-    fn load(&self, dst: Reg, mem: Mem, addr: Reg, offset: u32, site: u32) -> Result<(), Stop> {
-        let outside = match mem {
-            Mem::Buffer(slot) => match self.launch.views[slot as usize] {
-                View::Read(words) => self.load_from(words, dst, addr, offset),
-                View::Write(words) => self.load_from(words, dst, addr, offset),
-            },
-            Mem::Workgroup => self.load_from(self.workgroup, dst, addr, offset),
-            Mem::Private => {
-                self.private.load(self.work(), dst, addr, offset);
-                None
-            }
-        };
-        self.stop(outside, site)
-    }
-
-    fn load_from<T: memory::Word>(&self, words: &[T], dst: Reg, addr: Reg, offset: u32) -> Option<Outside> {
-        if !dst.is_scalar() {
-            return memory::load(self.s, self.work(), &self.exec, words, dst, addr, offset);
-        }
-        let index = self.scalar(addr).wrapping_add(offset);
-        self.set_scalar(dst, memory::read(words, index));
-        let length = words.len() as u32;
-        (index >= length).then(|| Outside { lane: self.first_lane(), index, length })
-    }
-
-    fn store(&self, mem: Mem, addr: Reg, value: Reg, offset: u32, site: u32) -> Result<(), Stop> {
-        let (rows, exec) = (self.work(), &self.exec);
-        let outside = match mem {
-            Mem::Buffer(slot) => match self.launch.views[slot as usize] {
-                // The validator refuses stores to what is bound for reading.
-                View::Read(_) => None,
-                View::Write(words) => memory::store(self.s, rows, exec, words, addr, value, offset),
-            },
-            Mem::Workgroup => memory::store(self.s, rows, exec, self.workgroup, addr, value, offset),
-            Mem::Private => {
-                self.private.store(rows, exec, addr, value, offset);
-                None
-            }
-        };
-        self.stop(outside, site)
-    }
-
-    fn atomic(&self, args: &AtomicArgs) -> Result<(), Stop> {
-        let (rows, exec) = (self.work(), &self.exec);
-        let outside = match args.mem {
-            Mem::Buffer(slot) => match self.launch.views[slot as usize] {
-                View::Read(_) => None,
-                View::Write(words) => atomic::atomic(self.s, rows, exec, words, args),
-            },
-            Mem::Workgroup => atomic::atomic(self.s, rows, exec, self.workgroup, args),
-            Mem::Private => None,
-        };
-        self.stop(outside, args.site)
-    }
-
     fn tally(&mut self, index: usize) {
         self.tallies[index].invocations += u64::from(self.exec.mask.count());
-        self.tallies[index].workgroups += u64::from(self.count);
+        self.tallies[index].workgroups += u64::from(self.groups);
         let more = self.launch.code.costs[index].turns;
         if more > 0 {
             let mask = self.exec.mask;

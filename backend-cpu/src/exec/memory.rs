@@ -130,14 +130,9 @@ pub(super) fn load<S: Simd, T: Word>(
     if let Some(base) = base {
         let start = base.wrapping_add(offset) as usize;
         if let Some(run) = words.get(start..).and_then(|w| w.get(..row.len() * CHUNK)) {
-            s.vectorize(
-                #[inline(always)]
-                || {
-                    for (cell, run) in row.iter().zip(run.chunks_exact(CHUNK)) {
-                        cell.set(Chunk(std::array::from_fn(|i| run[i].load())));
-                    }
-                },
-            );
+            for (cell, run) in row.iter().zip(run.chunks_exact(CHUNK)) {
+                cell.set(Chunk(std::array::from_fn(|i| run[i].load())));
+            }
             return None;
         }
     }

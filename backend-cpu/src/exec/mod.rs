@@ -4,6 +4,7 @@
 //! not depend on how many threads there are: gangs share only buffers, which WGSL lets them race on only through
 //! atomics, and of several traps the one of the first gang is reported.
 
+mod access;
 mod alu;
 mod atomic;
 mod compare;
@@ -13,6 +14,7 @@ mod gang;
 mod lanes;
 mod mask;
 mod memory;
+mod record;
 mod rows;
 #[cfg(test)]
 mod tests;

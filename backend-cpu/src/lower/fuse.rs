@@ -228,7 +228,7 @@ fn row_first(op: BinOp, a: Virtual, b: Virtual) -> Option<(Virtual, Virtual)> {
 }
 
 /// Removes instructions; whatever counts instructions follows.
-fn remove(linear: &mut Linear, gone: &[bool]) {
+pub(super) fn remove(linear: &mut Linear, gone: &[bool]) {
     let mut places = Vec::with_capacity(gone.len() + 1);
     let mut kept = 0;
     for gone in gone {

@@ -2,7 +2,7 @@
 //!
 //! overrides applied → calls inlined, types split into words ([`build`]) → dead code removed, initial values sunk
 //! ([`prune`]) → positions, uniformity, quiet sets ([`flow`]) → linear code with masks and jumps ([`emit`]) → operations
-//! joined ([`fuse`]) → registers ([`regs`]).
+//! joined ([`fuse`]) → accesses of neighbouring words joined ([`group`]) → registers ([`regs`]).
 
 mod algebra;
 mod build;
@@ -15,6 +15,7 @@ mod expr;
 mod flow;
 mod fold;
 mod fuse;
+mod group;
 mod idiom;
 mod place;
 mod prune;
@@ -112,6 +113,7 @@ fn lower_here(program: &Program, entry: &str, overrides: &[(String, f64)], optio
         return Err(limit(what, MAX_SLOTS as u64, "nest divergent control flow less deeply, calls included"));
     }
     fuse::fuse(&mut linear);
+    group::group(&mut linear);
     assemble(&tree, linear, workgroup_size, mergeable).ok_or_else(|| {
         let what = format!("`{entry}` keeps more values or constants alive than there are registers");
         limit(what, 0x7fff, "keep fewer values alive, or split the kernel")
