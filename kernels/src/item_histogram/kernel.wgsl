@@ -54,8 +54,10 @@ fn item_at(place: u32) -> u32 {
 }
 
 fn add_to_bin(bin: u32, found: u32) {
-    if (found != 0u && bin < params.bins) {
-        atomicAdd(&counts[bin], found);
+    if (found != 0u) {
+        if (bin < params.bins) {
+            atomicAdd(&counts[bin], found);
+        }
     }
 }
 
@@ -70,11 +72,13 @@ fn count(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_inde
     let first_place = number % params.blocks * params.rounds * 256u + lane;
     for (var round = 0u; round < params.rounds; round += 1u) {
         let place = first_place + round * 256u;
-        let item = item_at(place);
-        if (place < params.places && item < params.items) {
-            let bin = ids[item] - first_bin;
-            if (bin < 2u * TILE_WORDS) {
-                atomicAdd(&tile[bin & (TILE_WORDS - 1u)], select(1u, 0x10000u, bin >= TILE_WORDS));
+        if (place < params.places) {
+            let item = item_at(place);
+            if (item < params.items) {
+                let bin = ids[item] - first_bin;
+                if (bin < 2u * TILE_WORDS) {
+                    atomicAdd(&tile[bin & (TILE_WORDS - 1u)], select(1u, 0x10000u, bin >= TILE_WORDS));
+                }
             }
         }
     }
@@ -92,11 +96,13 @@ fn count(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_inde
 @compute @workgroup_size(256)
 fn weigh(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     let place = (params.first + group.x) * 256u + lane;
-    let item = item_at(place);
-    if (place < params.places && item < params.items) {
-        let bin = ids[item];
-        if (bin < params.bins) {
-            atomicAdd(&counts[bin], weights[item]);
+    if (place < params.places) {
+        let item = item_at(place);
+        if (item < params.items) {
+            let bin = ids[item];
+            if (bin < params.bins) {
+                atomicAdd(&counts[bin], weights[item]);
+            }
         }
     }
 }
