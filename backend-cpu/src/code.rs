@@ -1,8 +1,8 @@
 //! Register code: instructions, operands and their disassembly.
 //!
-//! A vector register is a row of one 32-bit word a lane, a scalar register one word for the whole gang. Truth values are
-//! 0 or all ones. Instructions are verified when they are built (registers, slots and targets in range), so execution
-//! can index without further thought.
+//! A vector register is a row of one 32-bit word a lane, a scalar register one word for the whole gang. Truth values
+//! are 0 or all ones. Instructions are verified when they are built (registers, slots and targets in range), so
+//! execution can index without further thought.
 
 mod ops;
 

@@ -37,13 +37,14 @@
 //!
 //! * Integers and memory behave as WGSL says, in full; f32 is IEEE binary32 in source order, unfused, subnormals kept;
 //!   transcendentals are pinned in [`math`]. The same bits on every host, SIMD level, lane count and number of threads.
-//! * Every access is in range: clamped ([`Bounds::Clamp`]) or a trap that names line, index and length ([`Bounds::Trap`]).
+//! * Every access is in range: clamped ([`Bounds::Clamp`]) or a trap that names line, index and length
+//!   ([`Bounds::Trap`]).
 //! * Loops end: each gang has fuel, and running out of it is a typed error.
 //!
 //! # Invariant
 //!
-//! A naga expression is visible only in its own block and the blocks inside it, so lanes that are not active may compute
-//! anything. Only stores, atomics, sets of variables that others can observe, and exits consult the mask.
+//! A naga expression is visible only in its own block and the blocks inside it, so lanes that are not active may
+//! compute anything. Only stores, atomics, sets of variables that others can observe, and exits consult the mask.
 
 pub mod code;
 mod exec;
@@ -117,8 +118,8 @@ impl Simd {
     }
 }
 
-/// Bounds on what an entry point may become. The defaults suit any kernel that a person wrote; what exceeds one is refused
-/// with its source line.
+/// Bounds on what an entry point may become. The defaults suit any kernel that a person wrote; what exceeds one is
+/// refused with its source line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct CodeLimits {
     /// Operations after calls are inlined and types are split into words; 2^18. The time of lowering is at worst

@@ -1,8 +1,8 @@
 //! What every operation means, on one word: the single definition that folding, scalar registers and the rare vector
 //! operations share, and that the SIMD forms of the common ones are tested against.
 //!
-//! All operations are total. Arithmetic of f32 is IEEE 754 binary32, round to nearest even, subnormals kept, never fused
-//! unless the text says `fma`; what IEEE does not fix is pinned in [`crate::math`].
+//! All operations are total. Arithmetic of f32 is IEEE 754 binary32, round to nearest even, subnormals kept, never
+//! fused unless the text says `fma`; what IEEE does not fix is pinned in [`crate::math`].
 
 use std::cmp::Ordering;
 

@@ -1,7 +1,7 @@
 //! Random programs on the reference and on the interpreter: every word of every buffer must agree.
 //!
-//! `SIGHTLINES_FUZZ_CASES` sets the number of programs (200 unless told), `SIGHTLINES_FUZZ_SEED` the first seed. A program
-//! that differs is shrunk, statement by statement, and printed as a file for `tests/regressions`.
+//! `SIGHTLINES_FUZZ_CASES` sets the number of programs (200 unless told), `SIGHTLINES_FUZZ_SEED` the first seed. A
+//! program that differs is shrunk, statement by statement, and printed as a file for `tests/regressions`.
 
 use std::sync::Arc;
 

@@ -77,8 +77,8 @@ fn a_store_to_a_component_leaves_the_others_alone() {
 
 #[test]
 fn a_trap_keeps_what_was_written_before_it() {
-    // The second workgroup stops at its own line: the first has run, the third has not, nor has the second dispatch. The
-    // access that traps is itself done as with `Bounds::Clamp`: the last word.
+    // The second workgroup stops at its own line: the first has run, the third has not, nor has the second dispatch.
+    // The access that traps is itself done as with `Bounds::Clamp`: the last word.
     let text = "@compute @workgroup_size(64) fn main(@builtin(global_invocation_id) id: vec3u) {
         workgroupBarrier();
         data[id.x] = data[id.x] + 1u;
@@ -139,8 +139,8 @@ type Number = (&'static str, fn(u32) -> u32);
 type Condition = (&'static str, fn(u32) -> bool);
 type Operation = (&'static str, fn(u32, u32) -> u32);
 
-/// What four loads and four stores of neighbouring words do, word after word and lane after lane: the words at the end, and
-/// the line and lane of the access that traps.
+/// What four loads and four stores of neighbouring words do, word after word and lane after lane: the words at the end,
+/// and the line and lane of the access that traps.
 fn plain(words: &[u32], lanes: &[(u32, u32, u32)], traps: bool) -> (Option<(u32, u32)>, Vec<u32>) {
     let (mut data, last) = (words.to_vec(), words.len() as u32 - 1);
     let place = |at: u32| at.min(last) as usize;

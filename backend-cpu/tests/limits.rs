@@ -62,7 +62,8 @@ fn operations_are_bounded_however_they_arise() {
     assert!(run(&main_of("o[1] += 1u;"), few).is_ok());
 }
 
-/// Nesting that the text does not show: each of `calls` functions nests `ifs` branches on `x` around a call of the next.
+/// Nesting that the text does not show: each of `calls` functions nests `ifs` branches on `x` around a call of the
+/// next.
 fn nested(calls: usize, ifs: usize, x: &str) -> String {
     let mut text = "fn f0(x: u32) { if x == 15u { o[0] = 77u; } }\n".to_owned();
     for n in 1..=calls {

@@ -1,12 +1,12 @@
 //! Operators and builtin functions, one file a family, in the manner of cranelift's file tests.
 //!
-//! A file of `tests/ops` holds ordinary WGSL functions, each followed by lines `// run: f(1u, 2u) == 3u`. Every line runs
-//! three times on every machine: with literal operands, with operands loaded uniformly, and with operands that differ
-//! between the invocations of a workgroup, because folding, scalar registers and vector registers are different code.
-//! GPUs run the same files in `conformance/tests/operators`.
+//! A file of `tests/ops` holds ordinary WGSL functions, each followed by lines `// run: f(1u, 2u) == 3u`. Every line
+//! runs three times on every machine: with literal operands, with operands loaded uniformly, and with operands that
+//! differ between the invocations of a workgroup, because folding, scalar registers and vector registers are different
+//! code. GPUs run the same files in `conformance/tests/operators`.
 //!
-//! Invariant: a function without a run line is a failure, and so is a builtin or operator that no file reaches, and code
-//! that is not different where it should be.
+//! Invariant: a function without a run line is a failure, and so is a builtin or operator that no file reaches, and
+//! code that is not different where it should be.
 
 mod coverage;
 mod files;

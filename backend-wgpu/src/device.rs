@@ -1,9 +1,9 @@
 //! The device: how it is opened, waited for, and how its failures become typed errors.
 //!
 //! wgpu reports an error in one of four ways: through an error scope, through the handler of uncaptured errors, through
-//! the callback of a lost device, or by a panic inside `poll`. All four end here. The first fault that the device cannot
-//! recover from (it was lost, or a submission did not end) is kept and answers all later work. The device is then leaked
-//! on purpose: to drop it would wait, perhaps for ever, for work that does not end.
+//! the callback of a lost device, or by a panic inside `poll`. All four end here. The first fault that the device
+//! cannot recover from (it was lost, or a submission did not end) is kept and answers all later work. The device is
+//! then leaked on purpose: to drop it would wait, perhaps for ever, for work that does not end.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -59,7 +59,8 @@ impl Device {
         found.map_or(Ok(()), |fault| Err(fault.into()))
     }
 
-    /// Runs `work` with every error of the device caught. An error of the device explains one of `work`, so it goes first.
+    /// Runs `work` with every error of the device caught. An error of the device explains one of `work`, so it goes
+    /// first.
     pub(crate) fn scoped<T>(&self, work: impl FnOnce() -> Result<T>) -> Result<T> {
         self.scoped_as(typed, work)
     }

@@ -1,8 +1,8 @@
 //! Shader modules and compute pipelines, compiled once for each device.
 //!
-//! A pipeline is the entry point of a program under a set of overrides; programs are equal if their ids are. Layouts are
-//! explicit, made from the contract's reflection, and hold exactly the bindings that the entry point uses, so the slots
-//! of a dispatch are the entries of its bind groups.
+//! A pipeline is the entry point of a program under a set of overrides; programs are equal if their ids are. Layouts
+//! are explicit, made from the contract's reflection, and hold exactly the bindings that the entry point uses, so the
+//! slots of a dispatch are the entries of its bind groups.
 //!
 //! Overrides are applied to the module before wgpu sees it, by the contract's own function: wgpu would hold only their
 //! defaults against the limit on workgroup size, and hand the driver a workgroup that is too large.

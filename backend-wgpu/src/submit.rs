@@ -1,8 +1,9 @@
 //! A session: buffers on the device, and the running of recordings.
 //!
-//! A recording is one submission. Uploads go through a staging buffer that is filled before and copied in the recording's
-//! order, so a later command sees them and an earlier one does not. A recording that uploads more than [`CHUNK`] bytes
-//! becomes several submissions in sequence, which bounds the staging memory; nothing else observes the difference.
+//! A recording is one submission. Uploads go through a staging buffer that is filled before and copied in the
+//! recording's order, so a later command sees them and an earlier one does not. A recording that uploads more than
+//! [`CHUNK`] bytes becomes several submissions in sequence, which bounds the staging memory; nothing else observes the
+//! difference.
 
 use std::collections::HashMap;
 use std::num::NonZeroU64;

@@ -85,8 +85,8 @@ pub trait Session {
         None
     }
 
-    /// Lane-operations since the session was opened, from interpreters: for each vector instruction executed the lanes of
-    /// the 16-lane chunks it worked on. A machine cost: it changes with lowering and with the lanes of a gang.
+    /// Lane-operations since the session was opened, from interpreters: for each vector instruction executed the lanes
+    /// of the 16-lane chunks it worked on. A machine cost: it changes with lowering and with the lanes of a gang.
     fn lane_ops(&self) -> Option<u64> {
         None
     }

@@ -6,8 +6,8 @@
 //! does a text that takes too long (lowering is quadratic in the length of a function).
 //!
 //! Measured with naga 30.0.1 in release builds: lowering needs 1 to 2 KiB of stack a level, and the SPIR-V and WGSL
-//! writers stand 2,000 levels on a thread of 2 MiB, Rust's default. Half of that is the bound. naga's own limits are 127
-//! nested braces and 200 levels of parser recursion.
+//! writers stand 2,000 levels on a thread of 2 MiB, Rust's default. Half of that is the bound. naga's own limits are
+//! 127 nested braces and 200 levels of parser recursion.
 
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;

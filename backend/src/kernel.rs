@@ -32,8 +32,8 @@ pub enum Size {
 /// Builds the work of a case.
 pub type MakeJob = Box<dyn Fn() -> Result<Job> + Send + Sync>;
 
-/// Computes what the outputs must be. It is given the outputs of the run only to *choose* where to look (a seeded sample
-/// that favours the interesting part), never to compute the answer.
+/// Computes what the outputs must be. It is given the outputs of the run only to *choose* where to look (a seeded
+/// sample that favours the interesting part), never to compute the answer.
 pub type Oracle = Box<dyn Fn(&Outputs) -> Vec<Expected> + Send + Sync>;
 
 /// One named input with its oracle.

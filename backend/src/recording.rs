@@ -229,7 +229,8 @@ impl Job {
     }
 
     /// Reads what [`Job::to_bytes`] wrote. Programs are compiled again from their text, under the same limits, and the
-    /// job is checked: any bytes give a job that a backend may run, or an error. What follows [`RECORD_MARK`] is not read.
+    /// job is checked: any bytes give a job that a backend may run, or an error. What follows [`RECORD_MARK`] is not
+    /// read.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
         let mut body =
             bytes.strip_prefix(MAGIC).ok_or_else(|| ErrorKind::Format("the first line is not its magic".into()))?;

@@ -1,8 +1,8 @@
 //! Every subject under criterion, in one process, on the interpreter and on every adapter: ids `kernel/case/backend`.
 //!
 //! `cargo bench -p sightlines-benches` takes criterion's own options; `cargo xtask bench` makes the numbers that are
-//! compared. Run as a test, the first case of each kernel and every micro-kernel run once, and their outputs are compared
-//! between machines (conformance does it for every case); where an adapter that `SIGHTLINES_REQUIRE` names (a
+//! compared. Run as a test, the first case of each kernel and every micro-kernel run once, and their outputs are
+//! compared between machines (conformance does it for every case); where an adapter that `SIGHTLINES_REQUIRE` names (a
 //! comma-separated list) is missing, that is a failure.
 
 use std::collections::{HashMap, HashSet};

@@ -1,10 +1,11 @@
 //! Ambient occlusion of a generated closed mesh: `cargo xtask bench ambient`.
 //!
 //! Each engine in each thread setting is a child process, so that its peak memory is its own. What is timed is a whole
-//! visibility matrix, from the first block of directions until its bits are read: by CPU time on one thread, by wall time
-//! on all. Each run opens a session of its own, beforehand, and that is timed apart, as Embree's structure is. The
-//! interpreter on one thread then goes through the levels step by step, which is counted in lane-operations, and on request
-//! [`rays`] traces the same rays by Embree. Invariant: whatever is timed has given the same bits as everything else.
+//! visibility matrix, from the first block of directions until its bits are read: by CPU time on one thread, by wall
+//! time on all. Each run opens a session of its own, beforehand, and that is timed apart, as Embree's structure is. The
+//! interpreter on one thread then goes through the levels step by step, which is counted in lane-operations, and on
+//! request [`rays`] traces the same rays by Embree. Invariant: whatever is timed has given the same bits as everything
+//! else.
 
 pub mod rays;
 mod tables;
@@ -110,8 +111,8 @@ pub struct Row {
     pub runs_ns: Vec<f64>,
     /// `median_ns` for each vertex and direction.
     pub ns_per_bit: f64,
-    /// Lane-operations of the first run. On one thread they are the same in all; on more, the order in which vertices are
-    /// placed in their bins varies, and by a few in a million also which lanes work together.
+    /// Lane-operations of the first run. On one thread they are the same in all; on more, the order in which vertices
+    /// are placed in their bins varies, and by a few in a million also which lanes work together.
     pub lane_ops: Option<u64>,
     /// `median_ns / lane_ops`.
     pub ns_per_lane_op: Option<f64>,
@@ -278,8 +279,8 @@ fn refine(
     Ok(Refinement { steps, alone, ratio: all as f64 / alone as f64 })
 }
 
-/// The engines, the interpreter first: beside it the adapters that are named, or lavapipe. What is missing is said, or an
-/// error where it is named.
+/// The engines, the interpreter first: beside it the adapters that are named, or lavapipe. What is missing is said, or
+/// an error where it is named.
 pub fn engines(exe: &Path, names: &[String], out: &mut impl Write) -> Result<Vec<Engine>> {
     let found = discover(exe);
     let chosen = engine::choose(found.as_deref().unwrap_or_default(), names)?;
@@ -293,8 +294,8 @@ pub fn engines(exe: &Path, names: &[String], out: &mut impl Write) -> Result<Vec
     Ok(engines)
 }
 
-/// Runs every engine on one thread and on all in child processes of `exe`, tells each to `progress` as it ends, prints the
-/// tables to `out` and writes `ambient.json` into the folder. The answer is the exit code.
+/// Runs every engine on one thread and on all in child processes of `exe`, tells each to `progress` as it ends, prints
+/// the tables to `out` and writes `ambient.json` into the folder. The answer is the exit code.
 pub fn run(
     exe: &Path,
     (size, engines): (Size, &[Engine]),

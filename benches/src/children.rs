@@ -35,8 +35,8 @@ pub(crate) fn serve<M: Measured>(case: &str, tracer: Option<&Path>, out: &mut im
     Ok(writeln!(out, "{line}")?)
 }
 
-/// Measures every case in a child that `start` begins, and tells each to `progress` as it ends. The answer is the rows, and
-/// what failed.
+/// Measures every case in a child that `start` begins, and tells each to `progress` as it ends. The answer is the rows,
+/// and what failed.
 pub(crate) fn measure_all<M: Measured>(
     cases: &[M::Case],
     start: impl Fn(&M::Case) -> Command,

@@ -1,9 +1,10 @@
-//! The same rays by Embree, in the same run: `cargo xtask bench shadows --embree`, `cargo xtask bench ambient --embree`.
+//! The same rays by Embree, in the same run: `cargo xtask bench shadows --embree`, `cargo xtask bench ambient
+//! --embree`.
 //!
-//! `benches/embree` is a C++ program that is built here, on demand, and traces quantised triangles in packets of 16 rays. Its
-//! fast mode is timed; the answers of its watertight mode are held against ours, bit for bit. Here are the program, its times
-//! and the rays of shadows, from the receivers in the shadow's box alone: those that differ are judged by the definition and
-//! by how near they pass to an edge. `ambient::rays` has the others.
+//! `benches/embree` is a C++ program that is built here, on demand, and traces quantised triangles in packets of 16
+//! rays. Its fast mode is timed; the answers of its watertight mode are held against ours, bit for bit. Here are the
+//! program, its times and the rays of shadows, from the receivers in the shadow's box alone: those that differ are
+//! judged by the definition and by how near they pass to an edge. `ambient::rays` has the others.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -243,6 +244,7 @@ mod tests {
             mirrored: [false, true],
             between: vec![CASTER],
             crossing: Vec::new(),
+            faces: Default::default(),
             cell: 1.0,
         }
     }

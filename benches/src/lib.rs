@@ -22,9 +22,9 @@
 //! `lane_ops` is the interpreter's work for one repetition: for each vector instruction it executes, the lanes of
 //! the 16-lane chunks that the instruction works on ([`Session::lane_ops`](sightlines_backend::Session::lane_ops)).
 //! It is counted, not timed, and does not depend on SIMD level; on threads only where atomics give places in an order
-//! that is not fixed, which `vertex_visibility` does with less than one in 100,000 of its work. Rows of other engines carry
-//! the same number, so that `ns_per_lane_op` compares time for the same work. [`instructions`] counts what the processor
-//! executes for it.
+//! that is not fixed, which `vertex_visibility` does with less than one in 100,000 of its work. Rows of other engines
+//! carry the same number, so that `ns_per_lane_op` compares time for the same work. [`instructions`] counts what the
+//! processor executes for it.
 
 pub mod ambient;
 pub mod baseline;

@@ -119,8 +119,8 @@ pub struct Group {
     pub kernels: usize,
     /// Geometric mean of `ns_per_lane_op`: of each kernel's cases, then of the kernels.
     pub mean_ns_per_lane_op: Option<f64>,
-    /// Geometric mean of `ratio_to_lavapipe`: of each kernel's cases, then of the kernels, so that a kernel of many cases
-    /// counts once.
+    /// Geometric mean of `ratio_to_lavapipe`: of each kernel's cases, then of the kernels, so that a kernel of many
+    /// cases counts once.
     pub mean_ratio: Option<f64>,
     /// Kernels whose mean ratio is below 1.
     pub faster: usize,

@@ -1,8 +1,8 @@
 //! A failing case as one file: the job, and behind it what was expected of it.
 //!
-//! The file *is* a job file (`Job::from_bytes` does not read what follows the mark of a record), so a browser page or any
-//! other runner takes it as it is. The record behind the job lets `--replay` judge without the kernel's oracle: it may come
-//! from another commit, or from a kernel that is not in the registry.
+//! The file *is* a job file (`Job::from_bytes` does not read what follows the mark of a record), so a browser page or
+//! any other runner takes it as it is. The record behind the job lets `--replay` judge without the kernel's oracle: it
+//! may come from another commit, or from a kernel that is not in the registry.
 
 use std::path::{Path, PathBuf};
 

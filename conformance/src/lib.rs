@@ -1,11 +1,11 @@
 //! The conformance suite: every case of every kernel, on every backend present, compared bit for bit.
 //!
-//! A verdict is the first check that does not agree, in this order: the oracle; the interpreter with one thread and with
-//! all; every machine; the stored snapshot. What the modules are for:
+//! A verdict is the first check that does not agree, in this order: the oracle; the interpreter with one thread and
+//! with all; every machine; the stored snapshot. What the modules are for:
 //!
 //! * [`plan`] selects cases, [`machine`] finds machines without loading a driver into this process;
-//! * [`worker`] is the child process that runs jobs on one machine, [`pool`] its parent's side, [`protocol`] what passes
-//!   between them: a driver's crash or a run without end is the status of one case;
+//! * [`worker`] is the child process that runs jobs on one machine, [`pool`] its parent's side, [`protocol`] what
+//!   passes between them: a driver's crash or a run without end is the status of one case;
 //! * [`run`] judges one case, [`suite`] runs them all; [`diff`] makes the tables, [`snapshot`] and [`costs`] the
 //!   snapshots, [`bless`] writes them, [`expect`] holds the failures that are known;
 //! * [`dump`] and [`replay`] turn a failure into one file and back, [`custom`] runs anyone's kernel;

@@ -1,8 +1,8 @@
 //! What passes between the suite and the processes that run kernels.
 //!
 //! A worker writes [`Reply::Ready`] when its machine is open, then one [`Reply::Ran`] or [`Reply::Failed`] for each
-//! job file that it reads. A frame is its length (u64, little endian) and that many bytes. Whatever ends a worker before
-//! its reply is the failure of one case and of nothing else.
+//! job file that it reads. A frame is its length (u64, little endian) and that many bytes. Whatever ends a worker
+//! before its reply is the failure of one case and of nothing else.
 
 use std::fmt;
 use std::io::{self, Read, Write};

@@ -1,5 +1,5 @@
-//! Files of any kind, by the door that the tests of loaders go through: the first byte chooses the kind, the rest is the
-//! file. A finding is a panic, a hang, too much memory, or an error that does not name the file and a remedy.
+//! Files of any kind, by the door that the tests of loaders go through: the first byte chooses the kind, the rest is
+//! the file. A finding is a panic, a hang, too much memory, or an error that does not name the file and a remedy.
 #![no_main]
 
 #[path = "../../visibility/tests/loaders/every.rs"]

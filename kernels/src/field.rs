@@ -1,9 +1,11 @@
-//! Fields: receivers at any integer points of the grid, in columns and rows, each with the light's pattern shifted for it.
+//! Fields: receivers at any integer points of the grid, in columns and rows, each with the light's pattern shifted for
+//! it.
 //!
 //! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", sections 6.2 and 8: receivers may be moved by a
-//! height map, and samples shifted by a random amount for each receiver, so that noise takes the place of bands. A floor, a
-//! height field and a lightmap are fields. Invariant: receivers are on the grid, and so is the shifted pattern's centre; a
-//! receiver with z = 0 is none (a texel that no triangle covers, or that lies behind the light), and its mask stays empty.
+//! height map, and samples shifted by a random amount for each receiver, so that noise takes the place of bands. A
+//! floor, a height field and a lightmap are fields. Invariant: receivers are on the grid, and so is the shifted
+//! pattern's centre; a receiver with z = 0 is none (a texel that no triangle covers, or that lies behind the light),
+//! and its mask stays empty.
 
 use glam::IVec4;
 use sightlines_backend::host::Buffer;
@@ -117,7 +119,8 @@ impl Field {
         job.slice("receivers", &words)
     }
 
-    /// The mask of samples that any of `triangles` hides from a receiver, by [`Faces::hide`] alone: empty where it is none.
+    /// The mask of samples that any of `triangles` hides from a receiver, by [`Faces::hide`] alone: empty where it is
+    /// none.
     pub fn hidden_set<'a>(
         &self,
         receiver: u32,

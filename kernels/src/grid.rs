@@ -1,17 +1,19 @@
 //! The grid and the definition: what it means that a triangle hides a sample from a receiver.
 //!
 //! One grid a source. Its axes follow the source's rectangle, the source plane is z = 0, and vertices, receivers and
-//! samples are integer points of it, with x and y in [−2^14, 2^14) and z in [0, 2^15). **Sample S is hidden from receiver
-//! R by triangle T iff the segment R S meets T**, told by the signs of determinants of those integer points:
+//! samples are integer points of it, with x and y in [−2^14, 2^14) and z in [0, 2^15). **Sample S is hidden from
+//! receiver R by triangle T iff the segment R S meets T**, told by the signs of determinants of those integer points:
 //!
-//! * the three planes through R and an edge of T have S on their inner side, where inner is the side of T's third vertex,
-//!   and a sample *on* such a plane belongs to the side of larger x, or of larger y where the plane is x-parallel at z = 0
-//!   (an antisymmetric rule: of two triangles that share an edge from opposite sides exactly one owns the sample);
+//! * the three planes through R and an edge of T have S on their inner side, where inner is the side of T's third
+//!   vertex, and a sample *on* such a plane belongs to the side of larger x, or of larger y where the plane is
+//!   x-parallel at z = 0 (an antisymmetric rule: of two triangles that share an edge from opposite sides exactly one
+//!   owns the sample);
 //! * S and R lie strictly on opposite sides of T's own plane.
 //!
-//! A triangle whose plane holds R hides nothing. Of a one-sided triangle ([`Faces::Front`]) the front counts alone: S must
-//! see its vertices counter-clockwise. Kernels only *evaluate* this; nothing is clipped or snapped again.
-//! [`hidden`] is the definition in i128, without any thought of speed: it is the oracle of every kernel that makes masks.
+//! A triangle whose plane holds R hides nothing. Of a one-sided triangle ([`Faces::Front`]) the front counts alone: S
+//! must see its vertices counter-clockwise. Kernels only *evaluate* this; nothing is clipped or snapped again.
+//! [`hidden`] is the definition in i128, without any thought of speed: it is the oracle of every kernel that makes
+//! masks.
 
 use std::ops::{Mul, Sub};
 
@@ -61,8 +63,8 @@ pub struct Receivers {
 
 /// A regular grid of receivers on any plane: receiver (i, r) stands at `origin + i·axes[0] + r·axes[1]`.
 ///
-/// Floors and walls, the texels of a lightmap and the cells of a height field are lattices; [`Receivers`] are those whose
-/// plane is parallel to the source and whose axes are its axes.
+/// Floors and walls, the texels of a lightmap and the cells of a height field are lattices; [`Receivers`] are those
+/// whose plane is parallel to the source and whose axes are its axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Lattice {
     /// Receiver (0, 0).

@@ -1,8 +1,8 @@
 //! Patterns: light samples at any integer points of the source plane, in any order.
 //!
-//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 6: samples may be placed regularly or not,
-//! and a mask word may have fewer usable bits than it has (section 6.1: 31 of 32, so 124 samples in four words and 992 in
-//! 32). Invariant: a pattern has 1 to [`MAX_SAMPLES`] samples, all on the grid, in at most [`MAX_WORDS`] words.
+//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 6: samples may be placed regularly or
+//! not, and a mask word may have fewer usable bits than it has (section 6.1: 31 of 32, so 124 samples in four words and
+//! 992 in 32). Invariant: a pattern has 1 to [`MAX_SAMPLES`] samples, all on the grid, in at most [`MAX_WORDS`] words.
 
 use sightlines_backend::{Error, Result};
 
@@ -56,8 +56,8 @@ impl Pattern {
         Self::new(points.collect(), 32)
     }
 
-    /// The first `count` points of Halton's sequence in bases 2 and 3 over the rectangle of `size` from `corner`, rounded
-    /// down to the grid.
+    /// The first `count` points of Halton's sequence in bases 2 and 3 over the rectangle of `size` from `corner`,
+    /// rounded down to the grid.
     pub fn halton(corner: [i32; 2], size: [u32; 2], count: u32) -> Result<Self> {
         let place = |axis: usize, index: u32| corner[axis] + radical_inverse([2, 3][axis], index, size[axis]) as i32;
         Self::new((1..=count).map(|index| [place(0, index), place(1, index)]).collect(), 32)

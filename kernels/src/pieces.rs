@@ -1,9 +1,9 @@
 //! Dispatches in pieces: no recording runs for long, whatever the size of the work.
 //!
-//! A device's watchdog ends a submission of seconds, one dispatch has at most 65,535 workgroups a dimension, and progress
-//! must show. So a kernel numbers its workgroups from a `first` that the host gives, and the host launches ranges of them.
-//! Invariants: pieces cover every workgroup once and in order, and there is at least one, so that a kernel is launched, and
-//! shown to write nothing, even for no items.
+//! A device's watchdog ends a submission of seconds, one dispatch has at most 65,535 workgroups a dimension, and
+//! progress must show. So a kernel numbers its workgroups from a `first` that the host gives, and the host launches
+//! ranges of them. Invariants: pieces cover every workgroup once and in order, and there is at least one, so that a
+//! kernel is launched, and shown to write nothing, even for no items.
 
 use std::ops::Range;
 

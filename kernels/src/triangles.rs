@@ -151,7 +151,8 @@ pub fn corners(count: u32, receivers: &Receivers) -> Vec<Triangle> {
     (0..count).map(|i| [corner(3 * i), corner(3 * i + 1), corner(3 * i + 2)]).collect()
 }
 
-/// For the first receiver of each tile in turn, a triangle of a few units right below it: lines with small coefficients.
+/// For the first receiver of each tile in turn, a triangle of a few units right below it: lines with small
+/// coefficients.
 pub fn contacts(tile: [u32; 2], receivers: &Receivers) -> Vec<Triangle> {
     let corners = (0..receivers.rows).step_by(tile[1] as usize).flat_map(|y| {
         (0..receivers.columns).step_by(tile[0] as usize).map(move |x| receivers.at(y * receivers.columns + x))

@@ -1,4 +1,5 @@
-//! Vertex visibility against what is known otherwise: the occlusion of a wall, blocks of directions; and what is refused.
+//! Vertex visibility against what is known otherwise: the occlusion of a wall, blocks of directions; and what is
+//! refused.
 
 use glam::{IVec4, UVec4};
 use sightlines_backend::{Backend, ErrorKind, Job, Result};
@@ -32,8 +33,9 @@ fn bits(mesh: &Mesh, directions: &[Direction], block: usize) -> Vec<u32> {
     words_of(&outputs[0])
 }
 
-/// Before an endless wall of height h, at distance d, a floor loses A = (1 - 1 / sqrt(1 + k^2)) / 2 of its light, k = h / d.
-/// The directions of level s are 90 / 2^s degrees apart, so the wall's upper edge is off by half of that at most, all along.
+/// Before an endless wall of height h, at distance d, a floor loses A = (1 - 1 / sqrt(1 + k^2)) / 2 of its light, k = h
+/// / d. The directions of level s are 90 / 2^s degrees apart, so the wall's upper edge is off by half of that at most,
+/// all along.
 #[test]
 fn a_wall_takes_its_share_of_the_light_at_every_level() {
     const HEIGHT: i32 = 96;

@@ -1,7 +1,7 @@
 //! The self-test tests: it passes on the interpreter, and it fails where a function is wrong.
 //!
-//! A canary is one edit of a shared text of the kind that proofs and reviews miss. The edited function must still compile
-//! and lint, and the self-test must see it.
+//! A canary is one edit of a shared text of the kind that proofs and reviews miss. The edited function must still
+//! compile and lint, and the self-test must see it.
 
 use std::sync::Arc;
 
@@ -159,8 +159,8 @@ fn a_wrong_function_fails_its_self_test() {
     assert!(unseen.is_empty(), "the self-test does not see {unseen:#?}");
 }
 
-/// Function, file, guess, and n: the result stays exact where the guess is off by a factor of 1 + 2^-n or 1 - 2^-n. What
-/// WGSL permits is 2^-21.6 for a division and 2^-22 for `inverseSqrt`.
+/// Function, file, guess, and n: the result stays exact where the guess is off by a factor of 1 + 2^-n or 1 - 2^-n.
+/// What WGSL permits is 2^-21.6 for a division and 2^-22 for `inverseSqrt`.
 #[rustfmt::skip]
 static TOLERATED: &[(&str, &str, &str, u32)] = &[
     ("udiv64_32", "divide", "1.0 / f32(dn)", 18),

@@ -1,5 +1,5 @@
-//! Tables of lines against the kernels that need none: the same masks on regular lights, whatever the table's size; and the
-//! paper's table, wrong by less the finer it is.
+//! Tables of lines against the kernels that need none: the same masks on regular lights, whatever the table's size; and
+//! the paper's table, wrong by less the finer it is.
 
 use std::sync::Arc;
 

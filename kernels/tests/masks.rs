@@ -1,5 +1,6 @@
-//! The kernels that see, on shrinking random scenes: masks equal the definition, shared edges neither leak nor cover twice,
-//! and influence regions miss no receiver. Kernels run on the interpreter; a failure prints the least scene that fails.
+//! The kernels that see, on shrinking random scenes: masks equal the definition, shared edges neither leak nor cover
+//! twice, and influence regions miss no receiver. Kernels run on the interpreter; a failure prints the least scene that
+//! fails.
 
 use std::sync::LazyLock;
 

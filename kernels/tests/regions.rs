@@ -82,8 +82,8 @@ fn points(triangle: &Triangle) -> Vec<Vector> {
     (0..=4).flat_map(|a| (0..=4 - a).map(move |b| mean([a, b, 4 - a - b]))).collect()
 }
 
-/// Least and greatest column and row at which lines from the source through the triangle meet the lattice's plane; nothing
-/// where they do not all meet it, or the triangle does not lie in front of it.
+/// Least and greatest column and row at which lines from the source through the triangle meet the lattice's plane;
+/// nothing where they do not all meet it, or the triangle does not lie in front of it.
 fn bounds(triangle: &Triangle, lattice: &Lattice) -> Option<[[f64; 2]; 2]> {
     let [origin, across, down, normal] =
         [lattice.origin, lattice.axes[0], lattice.axes[1], lattice.normal()].map(|v| v.map(f64::from));

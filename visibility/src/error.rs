@@ -1,8 +1,8 @@
 //! What can go wrong, told so that it can be mended: the file, the place in it, and a remedy.
 //!
-//! Whose fault it is decides the exit code of the program: [`Error::Read`], [`Error::Input`] and work that no device would
-//! take are the caller's, a [`Error::Backend`] without an adapter is the machine's, and the rest are failures of the work
-//! itself.
+//! Whose fault it is decides the exit code of the program: [`Error::Read`], [`Error::Input`] and work that no device
+//! would take are the caller's, a [`Error::Backend`] without an adapter is the machine's, and the rest are failures of
+//! the work itself.
 
 use std::fmt;
 use std::io;

@@ -1,9 +1,9 @@
 //! Files that are read whole, and never more of one than its format can need.
 //!
 //! Every file that the crate reads comes through here, and is remembered, so that no result is written over it.
-//! Invariants: what is no file (a device or a pipe), and what has no size (such as a log of the system's that looks like
-//! a file), may never end and is refused before it is opened; no more than the limit is held in memory, whatever the
-//! system says of a size.
+//! Invariants: what is no file (a device or a pipe), and what has no size (such as a log of the system's that looks
+//! like a file), may never end and is refused before it is opened; no more than the limit is held in memory, whatever
+//! the system says of a size.
 
 use std::collections::BTreeSet;
 use std::fs::{self, File};

@@ -1,7 +1,7 @@
 //! Files that are whole or not there: written under another name in the target's folder, then renamed.
 //!
-//! A run that is killed while it writes leaves such a part behind. Parts are locked as long as their run lives, so the next
-//! run with a target in the folder knows those that nobody will finish, and removes them.
+//! A run that is killed while it writes leaves such a part behind. Parts are locked as long as their run lives, so the
+//! next run with a target in the folder knows those that nobody will finish, and removes them.
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Seek, Write};

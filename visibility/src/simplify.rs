@@ -1,9 +1,9 @@
 //! Coarser meshes for large lights: what a penumbra blurs need not be cast by every triangle.
 //!
-//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 10, name simplification as the remedy for
-//! meshes whose triangles are small beside the light. The work is that of the library meshoptimizer, behind the feature
-//! `simplify`. It computes in the host's f32, so its meshes may differ between hosts: what a simplified scene casts is
-//! exact for the mesh whose [`Simplified::hash`] is given, and for that one alone.
+//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 10, name simplification as the remedy
+//! for meshes whose triangles are small beside the light. The work is that of the library meshoptimizer, behind the
+//! feature `simplify`. It computes in the host's f32, so its meshes may differ between hosts: what a simplified scene
+//! casts is exact for the mesh whose [`Simplified::hash`] is given, and for that one alone.
 
 use crate::error::{Place, Result};
 use crate::scene::Scene;

@@ -49,7 +49,8 @@ fn a_table_of_angles_and_distances_errs_by_its_texels() {
     }
 }
 
-/// A patch of a soft shadow map is right for a box whose lid alone is seen, up to the texels of the map; columns are not.
+/// A patch of a soft shadow map is right for a box whose lid alone is seen, up to the texels of the map; columns are
+/// not.
 #[test]
 fn soft_shadow_maps_are_near_and_too_light_beside_what_the_centre_does_not_see() {
     let mean = |request: &Request| {

@@ -37,7 +37,8 @@ fn culling_closed_surfaces_changes_no_bit() {
     assert_eq!(auto.sets, off.sets);
 }
 
-/// What enters a closed surface crosses a front, and what leaves it a back: either faces hide what both do, from fewer pairs.
+/// What enters a closed surface crosses a front, and what leaves it a back: either faces hide what both do, from fewer
+/// pairs.
 #[test]
 fn fronts_of_a_closed_surface_hide_what_the_whole_does() {
     let request = sphere(96);

@@ -56,8 +56,8 @@ fn sampled(placement: Placement, count: u32) -> Sampling {
     Sampling { placement, ..Sampling::new(count) }
 }
 
-/// Exposes and holds every bit, count and sum to the definition on the integers of [`prepare`]; the answer is how many texels
-/// see a part of the light.
+/// Exposes and holds every bit, count and sum to the definition on the integers of [`prepare`]; the answer is how many
+/// texels see a part of the light.
 fn holds(exposure: &Exposure) -> (Exposed, u32) {
     let Prepared { field, normals, frames, faces, passes, palette, .. } = prepare(exposure).unwrap();
     let exposed = expose(&machine(), exposure, &mut |_| ()).unwrap();
@@ -229,7 +229,8 @@ fn a_relief_hides_from_its_valleys_and_no_slope_from_itself() {
     assert!((0..(SIDE * SIDE) as usize).filter(|t| inner(*t)).all(|t| middle.visible[t] == 40), "a slope hides itself");
 }
 
-/// A tilted floor at real size: 256² receivers, 256 samples, 29,040 triangles; seeded receivers of the penumbra and others.
+/// A tilted floor at real size: 256² receivers, 256 samples, 29,040 triangles; seeded receivers of the penumbra and
+/// others.
 #[test]
 fn a_slope_under_the_palms_equals_the_definition_on_its_penumbra() {
     let settings = Settings { resolution: Some(256), samples: Some(256), ..Settings::default() };
@@ -322,7 +323,8 @@ fn a_light_as_large_as_the_scene() {
     assert!(partly > 200, "{partly} texels are partly lit");
 }
 
-/// Irradiance in scene units: a floor of no casters under a small lamp of radiance 1 has area / height² straight below it.
+/// Irradiance in scene units: a floor of no casters under a small lamp of radiance 1 has area / height² straight below
+/// it.
 #[test]
 fn irradiance_is_in_scene_units() {
     let light = Light::from(Rect { corner: [-0.05, 3.0, -0.05], u: [0.1, 0.0, 0.0], v: [0.0, 0.0, 0.1] });

@@ -1,9 +1,9 @@
 //! One scene, one file: `sightlines` writes the same bytes on every machine.
 //!
-//! Test names read `machine/scene`. The reference is the interpreter on one thread; it is compared with two threads, with
-//! every SIMD level that this host has, and with every adapter. Without an adapter those tests report themselves as
-//! ignored, with the reason; `SIGHTLINES_REQUIRE` (names separated by commas: `wgpu`, or a part of an adapter's name or
-//! driver) makes a missing one a failure.
+//! Test names read `machine/scene`. The reference is the interpreter on one thread; it is compared with two threads,
+//! with every SIMD level that this host has, and with every adapter. Without an adapter those tests report themselves
+//! as ignored, with the reason; `SIGHTLINES_REQUIRE` (names separated by commas: `wgpu`, or a part of an adapter's name
+//! or driver) makes a missing one a failure.
 
 use std::path::Path;
 use std::process::{Command, ExitCode};

@@ -1,4 +1,5 @@
-//! Every option of `sightlines shadows` on a small scene: what it changes, in counts, and what is said of what makes no sense.
+//! Every option of `sightlines shadows` on a small scene: what it changes, in counts, and what is said of what makes no
+//! sense.
 
 use std::path::PathBuf;
 use std::process::{Command, Output};
@@ -28,7 +29,8 @@ impl Folder {
         command.current_dir(self.0.path()).output().unwrap()
     }
 
-    /// Bakes a cube over 16 × 16 texels with 64 samples, unless told otherwise; the answer is its sets and the mean share.
+    /// Bakes a cube over 16 × 16 texels with 64 samples, unless told otherwise; the answer is its sets and the mean
+    /// share.
     fn bake(&self, options: &str) -> (Sets, String) {
         let picture = if options.contains(" -o ") { "" } else { "-o a.png" };
         let output = self.run(&format!("{options} --sets a.sets {picture} --exr a.exr"));

@@ -1,4 +1,5 @@
-//! Simplified casters: what they cost and what they change, where the program has the library, and what it says where not.
+//! Simplified casters: what they cost and what they change, where the program has the library, and what it says where
+//! not.
 
 use std::process::Command;
 

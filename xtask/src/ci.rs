@@ -8,8 +8,8 @@ use crate::{USAGE, say, test};
 const HELP: &str = "\
 Usage: cargo xtask ci [--require NAME]…
 
-Runs `cargo xtask test --require NAME…`, the tests of the optional feature `simplify`, then `cargo fmt --check`, then `cargo clippy` with warnings denied, also on
-the fuzz targets. All run, whichever fails; the exit code is the first that is not 0.";
+Runs `cargo xtask test --require NAME…`, the tests of the optional feature `simplify`, then `cargo fmt --check`, then
+`cargo clippy` with warnings denied, also on the fuzz targets. All run, whichever fails; the exit code is the first that is not 0.";
 
 /// Runs all steps.
 pub(crate) fn run(args: &[String]) -> u8 {

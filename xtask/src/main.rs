@@ -1,7 +1,7 @@
 //! `cargo xtask`: the workspace's commands.
 //!
-//! Every command spawns cargo in one profile, so that nothing is compiled twice. This program depends on no crate of the
-//! workspace and on no other, so it builds in a second.
+//! Every command spawns cargo in one profile, so that nothing is compiled twice. This program depends on no crate of
+//! the workspace and on no other, so it builds in a second.
 
 mod bench;
 mod ci;

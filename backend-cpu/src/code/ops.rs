@@ -267,8 +267,8 @@ impl BinOp {
 }
 
 /// Hands the list of pairs to a macro: name, first operation and what its right operand is (a row of lanes, or a word
-/// that all share), second operation and what its other operand is, and on which side of the second operation the result
-/// of the first stands. `left` is `(a first b) second c`, `right` is `c second (a first b)`; `a` is a row.
+/// that all share), second operation and what its other operand is, and on which side of the second operation the
+/// result of the first stands. `left` is `(a first b) second c`, `right` is `c second (a first b)`; `a` is a row.
 macro_rules! pairs {
     ($then:ident) => {
         $then! {

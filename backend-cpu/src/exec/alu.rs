@@ -1,8 +1,8 @@
 //! Arithmetic on rows of lanes, in explicit SIMD for what is common.
 //!
 //! Nothing here looks at masks except [`blend`]: a row's inactive lanes may hold anything. Every form computes what
-//! [`crate::semantics`] says; the tests compare them on every SIMD level. Functions that are inlined expect a caller that
-//! has entered the SIMD level.
+//! [`crate::semantics`] says; the tests compare them on every SIMD level. Functions that are inlined expect a caller
+//! that has entered the SIMD level.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, mask32x16, u32x16};
@@ -206,8 +206,8 @@ pub(super) fn check<S: Simd>(
     wrong
 }
 
-/// What a row of addresses looks like: its first one where they count up by one from lane to lane, and whether all of them
-/// are below a limit once an offset is added.
+/// What a row of addresses looks like: its first one where they count up by one from lane to lane, and whether all of
+/// them are below a limit once an offset is added.
 pub(super) fn survey<S: Simd>(s: S, r: &Rows<'_>, addr: Reg, offset: u32, limit: usize) -> (Option<u32>, bool) {
     let row = r.row(addr);
     let base = row.first().map_or(0, |chunk| chunk.get().0[0]);

@@ -1,7 +1,7 @@
 //! Atomics of a gang: what its active lanes do to words, in the order of lanes.
 //!
-//! Invariant: memory and results are those of one lane after the other. Where that cannot show, lanes are taken together:
-//! those that meet in one word without looking at what it held, and those that draw from one counter.
+//! Invariant: memory and results are those of one lane after the other. Where that cannot show, lanes are taken
+//! together: those that meet in one word without looking at what it held, and those that draw from one counter.
 
 use fearless_simd::Simd;
 

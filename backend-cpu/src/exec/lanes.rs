@@ -173,8 +173,8 @@ fn high_product<S: Simd>(s: S, a: u32x16<S>, b: u32x16<S>) -> u32x16<S> {
 
 /// ⌊a / b⌋, a where b = 0.
 ///
-/// Words are exact in binary64. A quotient that is no integer lies at least 1 / b below the next one, which is more than
-/// half a unit in its last place (a 2^−53 < 1), so its rounding does not reach the integer and the floor is exact.
+/// Words are exact in binary64. A quotient that is no integer lies at least 1 / b below the next one, which is more
+/// than half a unit in its last place (a 2^−53 < 1), so its rounding does not reach the integer and the floor is exact.
 #[inline(always)]
 fn quotient<S: Simd>(s: S, a: u32x16<S>, b: u32x16<S>) -> u32x16<S> {
     let ((a_low, a_high), (b_low, b_high)) = (wide(s, a), wide(s, b));

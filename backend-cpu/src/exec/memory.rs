@@ -1,7 +1,7 @@
 //! Words of memory, loads and stores: buffers, workgroup memory, private memory.
 //!
-//! Every access is in range or handled: clamped to the last word, as naga's `Restrict` policy does, or reported, when the
-//! run traps. One worker uses plain cells, several use relaxed atomics on the same words.
+//! Every access is in range or handled: clamped to the last word, as naga's `Restrict` policy does, or reported, when
+//! the run traps. One worker uses plain cells, several use relaxed atomics on the same words.
 
 use std::cell::Cell;
 use std::sync::atomic::{AtomicU32, Ordering};

@@ -1,7 +1,7 @@
 //! Execution: a dispatch cut into gangs, gangs spread over threads.
 //!
-//! A gang is one workgroup, or several neighbours along x when a kernel has no barrier and no workgroup memory. Results do
-//! not depend on how many threads there are: gangs share only buffers, which WGSL lets them race on only through
+//! A gang is one workgroup, or several neighbours along x when a kernel has no barrier and no workgroup memory. Results
+//! do not depend on how many threads there are: gangs share only buffers, which WGSL lets them race on only through
 //! atomics, and of several traps the one of the first gang is reported.
 
 mod access;
@@ -33,8 +33,8 @@ use gang::{Launch, Stop, Tally, View, Worker};
 pub(crate) use mask::{CHUNK, MAX_LANES};
 use memory::SharedWord;
 
-/// Vector registers of a gang should fit in this many bytes. Twice a first-level cache is the least time: what was written
-/// last is read next, and a pass over more lanes is the cheaper.
+/// Vector registers of a gang should fit in this many bytes. Twice a first-level cache is the least time: what was
+/// written last is read next, and a pass over more lanes is the cheaper.
 const REGISTER_BYTES: usize = 64 << 10;
 
 /// One bound range of a dispatch: buffer, first word, words, and whether any binding of the dispatch writes it.

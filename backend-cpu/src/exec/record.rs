@@ -1,8 +1,8 @@
 //! Records: four neighbouring words of each lane, loaded or stored at once.
 //!
 //! Lanes' records lie side by side in memory and their words side by side in registers, so a chunk is transposed on the
-//! way. Invariant: memory, results and the access that is reported are those of four accesses, word after word. Records are
-//! stored lane after lane only where no two overlap without being the same: the last lane's words stay either way.
+//! way. Invariant: memory, results and the access that is reported are those of four accesses, word after word. Records
+//! are stored lane after lane only where no two overlap without being the same: the last lane's words stay either way.
 
 use fearless_simd::{Simd, prelude::*, u32x16};
 

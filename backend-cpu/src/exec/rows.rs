@@ -1,9 +1,9 @@
 //! Register files as rows of lanes, and passes over them.
 //!
-//! A pass computes one row from others, a chunk at a time. Whether an operand is a row or a word that all lanes share, and
-//! where it stands, is settled before the operation is looked at: a loop is then compiled for the kinds of its operands,
-//! and holds nothing but loads, the operation and the store. Invariant: all rows of a pass are equally long, so one
-//! comparison ends the loop and no access in it is checked.
+//! A pass computes one row from others, a chunk at a time. Whether an operand is a row or a word that all lanes share,
+//! and where it stands, is settled before the operation is looked at: a loop is then compiled for the kinds of its
+//! operands, and holds nothing but loads, the operation and the store. Invariant: all rows of a pass are equally long,
+//! so one comparison ends the loop and no access in it is checked.
 
 use std::cell::Cell;
 
@@ -103,7 +103,8 @@ impl<'a> Rows<'a> {
     }
 }
 
-/// Evaluates an expression in which names of registers stand for the operands that they hold, of the kinds that they are.
+/// Evaluates an expression in which names of registers stand for the operands that they hold, of the kinds that they
+/// are.
 macro_rules! operands {
     ($rows:expr, [$name:ident $(, $more:ident)*] => $then:expr) => {
         if $name.is_scalar() {

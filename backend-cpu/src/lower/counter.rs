@@ -1,12 +1,12 @@
 //! Counters: variables on which all lanes inside a loop agree, though lanes that left it do not.
 //!
-//! Lanes leave a loop in different rounds, so a counter that is read behind the loop differs between lanes there, and must
-//! be kept by lane. Inside, the lanes that are still there agree on it. Such a variable gets a *twin* that lives inside the
-//! loop only: it is set before the loop, stands for the variable inside, and lanes that leave copy it back. The twin is
-//! uniform, so a round costs no masked set, and a test of it is a jump.
+//! Lanes leave a loop in different rounds, so a counter that is read behind the loop differs between lanes there, and
+//! must be kept by lane. Inside, the lanes that are still there agree on it. Such a variable gets a *twin* that lives
+//! inside the loop only: it is set before the loop, stands for the variable inside, and lanes that leave copy it back.
+//! The twin is uniform, so a round costs no masked set, and a test of it is a jump.
 //!
-//! Whether a twin is uniform is what [`Flow`] says of the tree that has it: all candidates are tried together, and those
-//! that fail are dropped until none does. Invariant: the tree with twins computes what the tree without computes.
+//! Whether a twin is uniform is what [`Flow`] says of the tree that has it: all candidates are tried together, and
+//! those that fail are dropped until none does. Invariant: the tree with twins computes what the tree without computes.
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 

@@ -5,10 +5,10 @@
 //! variable is uniform iff every set of it is quiet and stores a uniform value; a quiet set of a varying variable needs
 //! no mask. Both are the greatest solution of one system, found by iteration from "everything is uniform".
 //!
-//! Quietness is judged from the variable's *home*, the innermost block that holds all its accesses, begins by setting it
-//! (or is entered once), and so ends every lifetime that begins in it. Walking out from a set to the home, a varying If
-//! hides lanes that will read later; a loop that lanes leave hides lanes that read after it; a loop that lanes continue
-//! hides lanes until its continuing block.
+//! Quietness is judged from the variable's *home*, the innermost block that holds all its accesses, begins by setting
+//! it (or is entered once), and so ends every lifetime that begins in it. Walking out from a set to the home, a varying
+//! If hides lanes that will read later; a loop that lanes leave hides lanes that read after it; a loop that lanes
+//! continue hides lanes until its continuing block.
 
 use std::collections::{HashMap, HashSet};
 

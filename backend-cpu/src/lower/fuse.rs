@@ -2,8 +2,9 @@
 //!
 //! A pass over the lanes costs the fetch of an instruction and loads and stores of rows, whatever it computes. So a
 //! vector register that is written once and read once, in one straight run of code, disappears: its operation moves to
-//! its reader, as a [`Pair`], an [`Inst::Choose`] or an [`Inst::Switch`]. Invariant: nothing between the two writes what the first one reads,
-//! and both run with the same lanes active. Uniform work stays apart: it is done once and not once a lane.
+//! its reader, as a [`Pair`], an [`Inst::Choose`] or an [`Inst::Switch`]. Invariant: nothing between the two writes
+//! what the first one reads, and both run with the same lanes active. Uniform work stays apart: it is done once and not
+//! once a lane.
 
 use std::collections::HashSet;
 

@@ -1,8 +1,8 @@
 //! Records: accesses of four neighbouring words of one base become one instruction.
 //!
-//! A load or store of a vector, or of a struct's or array's neighbouring words, looks at the same addresses once for each
-//! word. Invariant: what stands between the accesses computes and does nothing else, all run with the same lanes active, and
-//! neither the addresses nor the words that are stored change on the way.
+//! A load or store of a vector, or of a struct's or array's neighbouring words, looks at the same addresses once for
+//! each word. Invariant: what stands between the accesses computes and does nothing else, all run with the same lanes
+//! active, and neither the addresses nor the words that are stored change on the way.
 
 use std::collections::HashSet;
 

@@ -6,8 +6,9 @@
 //! t = ah * bl + ((al * bl) >> 16),  u = al * bh + (t & 0xffff),  ah * bh + (t >> 16) + (u >> 16)
 //! ```
 //!
-//! None of these sums exceeds 32 bits, so the whole is ⌊a b / 2^32⌋ for all words a and b, and one operation computes it.
-//! A half may be a constant. Invariant: an idiom is replaced only by an operation with the same value for every input.
+//! None of these sums exceeds 32 bits, so the whole is ⌊a b / 2^32⌋ for all words a and b, and one operation computes
+//! it. A half may be a constant. Invariant: an idiom is replaced only by an operation with the same value for every
+//! input.
 
 use super::fold;
 use super::tree::{Op, Tree, Val};

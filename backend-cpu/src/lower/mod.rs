@@ -1,8 +1,8 @@
 //! naga IR to register code, once for each pipeline.
 //!
 //! overrides applied → calls inlined, types split into words ([`build`]) → dead code removed, initial values sunk
-//! ([`prune`]) → positions, uniformity, quiet sets ([`flow`]) → linear code with masks and jumps ([`emit`]) → operations
-//! joined ([`fuse`]) → accesses of neighbouring words joined ([`group`]) → registers ([`regs`]).
+//! ([`prune`]) → positions, uniformity, quiet sets ([`flow`]) → linear code with masks and jumps ([`emit`]) →
+//! operations joined ([`fuse`]) → accesses of neighbouring words joined ([`group`]) → registers ([`regs`]).
 
 mod algebra;
 mod build;

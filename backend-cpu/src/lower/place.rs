@@ -1,8 +1,8 @@
 //! Places: what a pointer means once calls are inlined and types are split into words.
 //!
-//! A place is a root (variables, private or workgroup memory, a buffer) and a word offset with an optional run-time part.
-//! Buffers keep WGSL's host layout; everything else is packed, one word a scalar, so a loaded value and the memory it
-//! came from have the same order of words.
+//! A place is a root (variables, private or workgroup memory, a buffer) and a word offset with an optional run-time
+//! part. Buffers keep WGSL's host layout; everything else is packed, one word a scalar, so a loaded value and the
+//! memory it came from have the same order of words.
 
 use naga::{ScalarKind, TypeInner, VectorSize};
 

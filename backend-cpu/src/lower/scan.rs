@@ -1,4 +1,5 @@
-//! Facts about functions that building needs before it starts: which variables are indexed at run time, who returns early.
+//! Facts about functions that building needs before it starts: which variables are indexed at run time, who returns
+//! early.
 
 use std::collections::{HashMap, HashSet};
 

@@ -159,8 +159,8 @@ impl<'m> Builder<'m> {
             b.count_turn();
             b.block(body)?;
             b.flush();
-            // `continue` skips statements: neither what variables hold nor what the body numbered is known here. What the
-            // text itself uses again is in scope, as WGSL forbids a `continue` in between.
+            // `continue` skips statements: neither what variables hold nor what the body numbered is known here. What
+            // the text itself uses again is in scope, as WGSL forbids a `continue` in between.
             let numbered = b.hide_numbered();
             tail = b.nested(|b| {
                 b.forget();

@@ -1,8 +1,8 @@
-//! Folding, algebra and idioms against the plain operations: every rule on words where it could go wrong, and expressions
-//! without pattern.
+//! Folding, algebra and idioms against the plain operations: every rule on words where it could go wrong, and
+//! expressions without pattern.
 //!
-//! An expression is evaluated twice: as it is written, by the scalar semantics, and as the builder makes it. A rule is named
-//! together with an operation that it must leave out, so that a rule that never applies is a failure too.
+//! An expression is evaluated twice: as it is written, by the scalar semantics, and as the builder makes it. A rule is
+//! named together with an operation that it must leave out, so that a rule that never applies is a failure too.
 
 use sightlines_backend::{Linked, Program};
 

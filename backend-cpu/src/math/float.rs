@@ -61,7 +61,8 @@ pub fn atan2(y: f32, x: f32) -> f32 {
     narrow(libm::atan2(f64::from(y), f64::from(x)))
 }
 
-/// `pow(x, y)`: x to the power of y with IEEE 754's cases (`pow(x, 0)` is 1); x < 0 with y not an integer gives [`NAN`].
+/// `pow(x, y)`: x to the power of y with IEEE 754's cases (`pow(x, 0)` is 1); x < 0 with y not an integer gives
+/// [`NAN`].
 ///
 /// WGSL leaves x < 0 and `pow(0, 0)` open (it inherits `exp2(y * log2(x))`); IEEE 754 closes them.
 #[must_use]

@@ -1,7 +1,7 @@
 //! Packing, unpacking and f16 rounding.
 //!
-//! The normalised formats follow WGSL's formulas `⌊0.5 + 127·e⌋` … over the reals: they are evaluated in binary64, where
-//! the product is exact and the sum cannot round across an integer. Component 0 is in the lowest bits.
+//! The normalised formats follow WGSL's formulas `⌊0.5 + 127·e⌋` … over the reals: they are evaluated in binary64,
+//! where the product is exact and the sum cannot round across an integer. Component 0 is in the lowest bits.
 
 use super::clamp_f32;
 

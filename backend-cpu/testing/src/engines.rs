@@ -27,8 +27,8 @@ fn config() -> Config {
     Config { bounds: Bounds::Clamp, fuel: 1 << 20, ..Config::default() }
 }
 
-/// The reference first; then the interpreter at its defaults, counting costs, stopping at accesses out of bounds, at every
-/// SIMD level with few lanes, and with other lanes and threads.
+/// The reference first; then the interpreter at its defaults, counting costs, stopping at accesses out of bounds, at
+/// every SIMD level with few lanes, and with other lanes and threads.
 pub fn engines() -> Vec<Engine> {
     let mut engines = vec![
         Engine { name: "reference".into(), backend: Box::new(Reference), traps: false },

@@ -1,7 +1,7 @@
 //! A short run of each fuzz target without a fuzzer: the same functions on seeds that never change.
 //!
-//! `cargo fuzz` runs them for longer and led by coverage (docs/testing.md). What this run is for: the targets work, and a
-//! change that breaks them badly is seen at once.
+//! `cargo fuzz` runs them for longer and led by coverage (docs/testing.md). What this run is for: the targets work, and
+//! a change that breaks them badly is seen at once.
 
 use std::path::{Path, PathBuf};
 

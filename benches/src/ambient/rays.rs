@@ -1,7 +1,9 @@
-//! The rays of ambient occlusion by Embree: from every vertex towards every direction, or those above its tangent plane.
+//! The rays of ambient occlusion by Embree: from every vertex towards every direction, or those above its tangent
+//! plane.
 //!
-//! Embree has no rule against self-hits: that a triangle at its own vertex does not count is left to the bias, and f32 decides
-//! near edges and near the bias. So answers differ in few rays, and each that is looked at is judged by the definition.
+//! Embree has no rule against self-hits: that a triangle at its own vertex does not count is left to the bias, and f32
+//! decides near edges and near the bias. So answers differ in few rays, and each that is looked at is judged by the
+//! definition.
 
 use std::path::Path;
 
@@ -47,7 +49,8 @@ impl Traced {
     }
 }
 
-/// Traces the rays of a surface `runs` times with `program`, its files beside it, and holds the answers against the `ours`.
+/// Traces the rays of a surface `runs` times with `program`, its files beside it, and holds the answers against the
+/// `ours`.
 pub fn trace(
     program: &Path,
     (surface, sphere, bias): (&Surface, Sphere, u32),

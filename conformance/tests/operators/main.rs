@@ -1,7 +1,7 @@
 //! The operator and shader files of `backend-cpu/tests` on every GPU adapter: one corpus for all machines.
 //!
-//! Tests read `machine::file::mode`. Each runs a file's job in a child process of its own, so that a driver that crashes or
-//! hangs costs one test. Results must be what the run line says, bit for bit, or within what WGSL permits
+//! Tests read `machine::file::mode`. Each runs a file's job in a child process of its own, so that a driver that
+//! crashes or hangs costs one test. Results must be what the run line says, bit for bit, or within what WGSL permits
 //! (`latitude.rs`). What is neither is a failure, unless `expectations.toml` names machine and function with a reason;
 //! an entry whose function agrees is a failure too. A device that is not there is ignored with the reason, and fails
 //! where `SIGHTLINES_REQUIRE` names it.

@@ -1,12 +1,12 @@
 // Backprojections: the lines on the source plane that bound what a triangle hides from a receiver, as exact integers.
 //
-// Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 4. A line is four words: a, b, and c as a
-// signed 64-bit number, low word first; its half-plane is a u + b v + c >= 0 with u, v in grid units of the source plane
-// z = 0. |a|, |b| < 2^31, |c| < 2^48. Output, 16 words a pair of triangle and receiver: the lines of its edges (v0 v1, v1 v2,
-// v2 v0; of a triangle seen in the other order v0 v2, v2 v1, v1 v0), positive inside; then the line of its own plane,
-// positive on the other side than the receiver. A sample is hidden (`grid.rs`) iff it is in all three half-planes, a sample
-// on the line only where a > 0, or a = 0 and b > 0, and strictly inside the fourth. A triangle whose plane holds the
-// receiver hides nothing: its four lines are 0 u + 0 v - 1 >= 0.
+// Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 4. A line is four words: a, b, and c as
+// a signed 64-bit number, low word first; its half-plane is a u + b v + c >= 0 with u, v in grid units of the source
+// plane z = 0. |a|, |b| < 2^31, |c| < 2^48. Output, 16 words a pair of triangle and receiver: the lines of its edges
+// (v0 v1, v1 v2, v2 v0; of a triangle seen in the other order v0 v2, v2 v1, v1 v0), positive inside; then the line of
+// its own plane, positive on the other side than the receiver. A sample is hidden (`grid.rs`) iff it is in all three
+// half-planes, a sample on the line only where a > 0, or a = 0 and b > 0, and strictly inside the fourth. A triangle
+// whose plane holds the receiver hides nothing: its four lines are 0 u + 0 v - 1 >= 0.
 //
 // Nothing is divided, so a vertex at or beyond either plane needs no rule of its own.
 

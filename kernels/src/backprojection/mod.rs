@@ -1,7 +1,7 @@
 //! Backprojections: the lines on the source plane that bound what a triangle hides from a receiver, as exact integers.
 //!
-//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 4. `kernel.wgsl` states the output and the
-//! sizes of its numbers. Invariant: the samples in all half-planes of a pair are those of [`crate::grid::hidden`].
+//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 4. `kernel.wgsl` states the output and
+//! the sizes of its numbers. Invariant: the samples in all half-planes of a pair are those of [`crate::grid::hidden`].
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -120,8 +120,8 @@ impl Backprojection {
         Ok(())
     }
 
-    /// Writes the [`LINES`] lines of each triangle and each receiver of its region, row by row, from pair `starts[t]` on,
-    /// in recordings of bounded cost. `starts` is [`starts`] of what `regions` holds.
+    /// Writes the [`LINES`] lines of each triangle and each receiver of its region, row by row, from pair `starts[t]`
+    /// on, in recordings of bounded cost. `starts` is [`starts`] of what `regions` holds.
     pub fn record_regions(
         &self,
         job: &mut Job,

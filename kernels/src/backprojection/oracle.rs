@@ -1,5 +1,5 @@
-//! Backprojections from the grid's definition, in i128: a line is the function that a determinant is of its last point, and
-//! its coefficients are what that function takes at three samples.
+//! Backprojections from the grid's definition, in i128: a line is the function that a determinant is of its last point,
+//! and its coefficients are what that function takes at three samples.
 
 use crate::exact::oracle::line::{Line, half_plane};
 use crate::grid::{Point, Triangle};

@@ -1,18 +1,19 @@
 // Greatest depths of squares of a depth buffer, boxes tested against them, and predicates for drawing.
 //
 // Greene, Kass and Miller, "Hierarchical Z-Buffer Visibility" (SIGGRAPH 1993), section 3: a pyramid whose texel has the
-// greatest depth of four finer ones. Décoret, "N-Buffers for efficient depth map query" (Eurographics 2005), section 3: a
-// level of a picture's size whose texel has the greatest depth of the square of side 2^l that begins there. Both are what
-// Engelhardt and Dachsbacher, "Granular Visibility Queries on the GPU" (I3D 2009), section 2, compare with.
+// greatest depth of four finer ones. Décoret, "N-Buffers for efficient depth map query" (Eurographics 2005), section 3:
+// a level of a picture's size whose texel has the greatest depth of the square of side 2^l that begins there. Both are
+// what Engelhardt and Dachsbacher, "Granular Visibility Queries on the GPU" (I3D 2009), section 2, compare with.
 //
 // `halve` makes level l + 1 of the pyramid from level l: coarse texel (x, y) is the greatest of the texels (2x, 2y) to
 // (2x + 1, 2y + 1) that exist. `widen` makes level l + 1 of the N-buffers: texel p is the greatest of level l at p,
 // p + (s, 0), p + (0, s) and p + (s, s), those that exist, where s = 2^l.
 //
 // A box has a rectangle of pixels, half-open and not empty, and a least depth. It is hidden iff that is more than the
-// greatest depth of a region that holds the rectangle: in `test_pyramid` the texels that meet it on the least level where
-// they are at most two by two; in `test_buffers` the squares of side s = 2^floor(log2 of its longer side) that begin at
-// its first column and row and s before its ends, but not before its first. Only boxes of the bound level are answered.
+// greatest depth of a region that holds the rectangle: in `test_pyramid` the texels that meet it on the least level
+// where they are at most two by two; in `test_buffers` the squares of side s = 2^floor(log2 of its longer side) that
+// begin at its first column and row and s before its ends, but not before its first. Only boxes of the bound level are
+// answered.
 //
 // `predicate` writes the workgroups of draw i as they are where counts[object] exceeds a threshold, else 0.
 

@@ -2,8 +2,8 @@
 //! queries are compared with.
 //!
 //! Greene, Kass and Miller, "Hierarchical Z-Buffer Visibility"; Décoret, "N-Buffers for efficient depth map query".
-//! `kernel.wgsl` states every output exactly. Invariant: a region that a box is tested against holds its rectangle, so a
-//! box that is hidden has no pixel in front.
+//! `kernel.wgsl` states every output exactly. Invariant: a region that a box is tested against holds its rectangle, so
+//! a box that is hidden has no pixel in front.
 
 use std::sync::Arc;
 
@@ -172,8 +172,8 @@ impl DepthBounds {
         Ok(())
     }
 
-    /// Writes three words of `arguments` for each of `draws` (workgroups along x, y and z, and an object): its workgroups
-    /// where the object's count exceeds `threshold`, else zeros.
+    /// Writes three words of `arguments` for each of `draws` (workgroups along x, y and z, and an object): its
+    /// workgroups where the object's count exceeds `threshold`, else zeros.
     pub fn record_predicates(
         &self,
         job: &mut Job,

@@ -1,5 +1,5 @@
-//! Maps of closed meshes, of vertices alone and of more than a word of directions; errors against the exact answer, which
-//! fall as the maps grow.
+//! Maps of closed meshes, of vertices alone and of more than a word of directions; errors against the exact answer,
+//! which fall as the maps grow.
 
 use rayon::prelude::*;
 use sightlines_backend::{Case, Expected, Job, Result, Size};

@@ -1,9 +1,10 @@
 // Vertex visibility by depth maps: the bits of what the maps show, vertex by vertex, and how far two results differ.
 //
-// "Ambient occlusion by occlusion queries", sections 3.1 and 3.2: for each light an orthographic depth map, then every vertex
-// against it as a point, with an offset. `raster` draws the maps and tests the points, one row of bits a direction; here
-// the rows become words of the visibility matrix. `collect` sets bit i of `occluded[row + vertex]` if bit `vertex` of row i of
-// `seen` is not set; other bits are left as they are. `differ` adds to `differing[0]` how many bits of two matrices differ.
+// Sattler et al. 2004, sections 3.1 and 3.2: for each light an orthographic depth map, then every
+// vertex against it as a point, with an offset. `raster` draws the maps and tests the points, one row of bits a
+// direction; here the rows become words of the visibility matrix. `collect` sets bit i of `occluded[row + vertex]` if
+// bit `vertex` of row i of `seen` is not set; other bits are left as they are. `differ` adds to `differing[0]` how many
+// bits of two matrices differ.
 
 struct Params {
     /// Vertices of `collect`, words of `differ`.

@@ -1,10 +1,10 @@
 //! Vertex visibility by depth maps: the approximate way of the paper, beside the exact one of
 //! [`crate::vertex_visibility`].
 //!
-//! "Ambient occlusion by occlusion queries", sections 3.1 and 3.2: an orthographic depth map for each light, then every
+//! Sattler et al. 2004, sections 3.1 and 3.2: an orthographic depth map for each light, then every
 //! vertex as a point against it, with an offset in integers. Maps and points are [`crate::raster`]'s, so the result is
-//! equal on every machine; it depends on the resolution, and [`DepthMap::record_differ`] counts by how much. `kernel.wgsl`
-//! states the outputs exactly. Invariant: a result is a matrix of the same layout as the exact one.
+//! equal on every machine; it depends on the resolution, and [`DepthMap::record_differ`] counts by how much.
+//! `kernel.wgsl` states the outputs exactly. Invariant: a result is a matrix of the same layout as the exact one.
 
 use std::sync::Arc;
 
@@ -27,7 +27,7 @@ pub use view::{MAX_BIAS, MapView};
 pub const KERNEL: Kernel = Kernel {
     name: "depth_map",
     summary: "which vertices of a mesh are occluded, by depth maps, and how many bits that gets wrong",
-    citation: "Ambient occlusion by occlusion queries, sections 3.1 and 3.2",
+    citation: "Sattler et al., Hardware-Accelerated Ambient Occlusion Computation, 2004, sections 3.1 and 3.2",
     programs: || Ok(vec![DepthMap::new()?.program]),
     cases: cases::all,
 };
@@ -78,8 +78,8 @@ bindings! {
 pub struct Maps {
     /// Pixels a side, 1 to 4096.
     pub side: u32,
-    /// How far a vertex may be behind its pixel and still be seen, in 1/256 of the width of a pixel: a surface that rises
-    /// by as much over a pixel does not shadow itself.
+    /// How far a vertex may be behind its pixel and still be seen, in 1/256 of the width of a pixel: a surface that
+    /// rises by as much over a pixel does not shadow itself.
     pub bias: u32,
 }
 
@@ -98,8 +98,8 @@ impl DepthMap {
         Ok(DepthMap { program, raster: Raster::new()? })
     }
 
-    /// Sets the bits of a block of directions: bit i % 32 of word i / 32 * vertices + v if vertex v is not seen in the map
-    /// of direction i. Other bits of `occluded` stay; it holds [`words`] words.
+    /// Sets the bits of a block of directions: bit i % 32 of word i / 32 * vertices + v if vertex v is not seen in the
+    /// map of direction i. Other bits of `occluded` stay; it holds [`words`] words.
     pub fn record(
         &self,
         job: &mut Job,

@@ -1,7 +1,7 @@
 //! The view of a depth map: orthographic, along a direction, over the box of a mesh.
 //!
-//! Host code under the numerics contract: f64 with + - * / and the square root alone. Invariant: the box is inside the picture by a
-//! pixel on every side, and its depths are within the raster's.
+//! Host code under the numerics contract: f64 with + - * / and the square root alone. Invariant: the box is inside the
+//! picture by a pixel on every side, and its depths are within the raster's.
 
 use glam::IVec4;
 use sightlines_backend::{Error, Result};

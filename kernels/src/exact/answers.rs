@@ -1,7 +1,7 @@
 //! Every function under test: its inputs on the host, and what its definition says of them.
 //!
-//! Inputs are made in the same steps as in the WGSL of the part, in Rust's own wide integers. Invariant: a function here has
-//! an entry point of its name, and the other way round.
+//! Inputs are made in the same steps as in the WGSL of the part, in Rust's own wide integers. Invariant: a function
+//! here has an entry point of its name, and the other way round.
 
 use super::{BLOCK, Edges, Inputs};
 

@@ -1,14 +1,14 @@
 // Half-planes: the samples of a regular light that any triangles hide from receivers on a parallel plane, exactly.
 //
-// Eisemann and Décoret, "Visibility Sampling on GPU and Applications", sections 4, 5 and 10: the three edges of a triangle
-// cut three half-planes out of the source; where a triangle crosses the source or the receivers' plane, its own plane is a
-// fourth. `grid.rs` has the definition that the masks meet bit for bit. Nothing is assumed of a triangle, so this kernel
-// takes those that `row_span` does not. Output: as `row_span`.
+// Eisemann and Décoret, "Visibility Sampling on GPU and Applications", sections 4, 5 and 10: the three edges of a
+// triangle cut three half-planes out of the source; where a triangle crosses the source or the receivers' plane, its
+// own plane is a fourth. `grid.rs` has the definition that the masks meet bit for bit. Nothing is assumed of a
+// triangle, so this kernel takes those that `row_span` does not. Output: as `row_span`.
 //
-// One workgroup serves COUNT receivers of one row: invocation = (light row, receiver), receivers fastest. In one light row
-// a half-plane is all samples from a first one on, or all before it, found by bisection with exact signs; where its line is
-// parallel to the row it is the whole row or nothing. A sample on an edge's line belongs to the side of larger x, or of
-// larger y where the line is parallel to the row; a sample on the triangle's own plane is not hidden.
+// One workgroup serves COUNT receivers of one row: invocation = (light row, receiver), receivers fastest. In one light
+// row a half-plane is all samples from a first one on, or all before it, found by bisection with exact signs; where its
+// line is parallel to the row it is the whole row or nothing. A sample on an edge's line belongs to the side of larger
+// x, or of larger y where the line is parallel to the row; a sample on the triangle's own plane is not hidden.
 
 import package::shared::crossing::{edge_function, along_row, first_inside};
 import package::shared::view::{View, receiver_at, sample_row, below};

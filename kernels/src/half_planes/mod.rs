@@ -1,7 +1,8 @@
 //! Half-planes: the exact masks of a regular light for any triangle, those that cross either plane included.
 //!
-//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", sections 4, 5 and 10. `kernel.wgsl` states the output
-//! and the rule of ties. Invariant: the masks are those of [`crate::grid::hidden`], bit for bit, on every machine.
+//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", sections 4, 5 and 10. `kernel.wgsl` states the
+//! output and the rule of ties. Invariant: the masks are those of [`crate::grid::hidden`], bit for bit, on every
+//! machine.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -31,8 +32,8 @@ pub const KERNEL: Kernel = Kernel {
 /// Workgroups times triangles of one recording.
 const PAIRS: u32 = 1 << 14;
 
-/// Triangles of one launch: each takes at most 29 turns of an invocation's loops, of which some devices end all at 65,535
-/// (docs/adding-a-kernel.md).
+/// Triangles of one launch: each takes at most 29 turns of an invocation's loops, of which some devices end all at
+/// 65,535 (docs/adding-a-kernel.md).
 const LIST: u32 = 1 << 11;
 
 host! {

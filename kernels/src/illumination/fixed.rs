@@ -1,7 +1,7 @@
 //! Fixed point with one exponent a channel, and what its range loses; gamma tables and Gaussian taps.
 //!
-//! Host code under the numerics contract: f64 and the pinned `libm` only. Invariant: the largest value of a channel uses all
-//! 32 bits, so every value is within half a unit, 2^-33 of the largest to within a factor of two.
+//! Host code under the numerics contract: f64 and the pinned `libm` only. Invariant: the largest value of a channel
+//! uses all 32 bits, so every value is within half a unit, 2^-33 of the largest to within a factor of two.
 
 use sightlines_backend::{Error, Result};
 
@@ -20,7 +20,8 @@ pub struct Fixed {
 }
 
 impl Fixed {
-    /// Colours, such as the texels of an environment or the intensities of lights. They must be finite and not negative.
+    /// Colours, such as the texels of an environment or the intensities of lights. They must be finite and not
+    /// negative.
     pub fn new(colours: &[[f32; 3]]) -> Result<Self> {
         let bad = |c: &f32| !c.is_finite() || *c < 0.0;
         if let Some((number, colour)) = (0..).zip(colours).find(|(_, colour)| colour.iter().any(bad)) {
@@ -69,7 +70,8 @@ pub fn gamma_table(gamma: f64, white: f64) -> Result<Vec<u32>> {
     Ok((1..=255).map(|code| least(code).max(f32::MIN_POSITIVE).to_bits()).collect())
 }
 
-/// Taps of a Gaussian of standard deviation `sigma` texels over 2 `radius` + 1 texels, in units of 2^-16; they sum to 2^16.
+/// Taps of a Gaussian of standard deviation `sigma` texels over 2 `radius` + 1 texels, in units of 2^-16; they sum to
+/// 2^16.
 pub fn gaussian_taps(sigma: f64, radius: u32) -> Result<Vec<u32>> {
     if !(0.05..=64.0).contains(&sigma) || radius > super::MAX_RADIUS {
         let what = format!("a Gaussian of {sigma} texels over {radius} on either side");

@@ -1,20 +1,20 @@
 // Illumination of vertices: the visibility matrix times the intensities of its directional lights, in fixed point.
 //
-// "Ambient occlusion by occlusion queries", sections 3.2, 3.3 and 5. An entry of the matrix is n . l for a visible light and
-// 0 for an occluded one; here it is kept as one bit, and n . l, 0 where it is negative, is made when it is used. All sums
-// are of integers, so neither their order nor the order of the lights can show; a colour is rounded to f32 once.
+// Sattler et al. 2004, sections 3.2, 3.3 and 5. An entry of the matrix is n . l for a visible
+// light and 0 for an occluded one; here it is kept as one bit, and n . l, 0 where it is negative, is made when it is
+// used. All sums are of integers, so neither their order nor the order of the lights can show; a colour is rounded to
+// f32 once.
 //
-// `blur` writes for every texel and channel floor(sum over i of taps[i] * texel(i - radius) / 2^16), where texels are taken
-// along a row, around, or along a column, the last texel standing for those beyond. `look_up` writes for every light j and
-// channel floor(texel * weights[j] / 2^32), of the texel that holds direction j of a latitude-longitude map (row
-// floor(height * angle from +z / pi), column floor(width * angle from +x towards +y / 2 pi)) or of a cube map.
+// `blur` writes for every texel and channel floor(sum over i of taps[i] * texel(i - radius) / 2^16), where texels are
+// taken along a row, around, or along a column, the last texel standing for those beyond. `look_up` writes for every
+// light j and channel floor(texel * weights[j] / 2^32), of the texel that holds direction j of a latitude-longitude map
+// (row floor(height * angle from +z / pi), column floor(width * angle from +x towards +y / 2 pi)) or of a cube map.
 // `illuminate` writes for vertex v, channel c
 //
 //     sum over visible j of max(0, floor(n_v . l_j / 2^15)) * intensities[j][c] / 2^shift[c], rounded once,
 //
-// the sum modulo 2^64, as the bits of an f32; `add_block` adds the sum of a block of lights to those of earlier ones, and
-// `resolve` rounds them. `encode` writes how many of 255 ascending thresholds a colour reaches, for
-// each channel.
+// the sum modulo 2^64, as the bits of an f32; `add_block` adds the sum of a block of lights to those of earlier ones,
+// and `resolve` rounds them. `encode` writes how many of 255 ascending thresholds a colour reaches, for each channel.
 
 import package::shared::angle::atan2_bam;
 import package::shared::fixed_point::u64_to_f;

@@ -1,9 +1,9 @@
 //! Illumination of vertices by an environment: blur and look-up of a map, matrix times intensities, gamma.
 //!
-//! "Ambient occlusion by occlusion queries", sections 3.2, 3.3 and 5. `kernel.wgsl` states the four outputs exactly. The
-//! matrix is `vertex_visibility`'s bits; cosines are made of normals and lights in units of 2^-15 when they are used.
-//! Intensities are in fixed point, with one exponent a channel that the host chooses ([`Fixed`], which counts what the range
-//! loses). Invariant: a colour is one rounding of an exact integer.
+//! Sattler et al. 2004, sections 3.2, 3.3 and 5. `kernel.wgsl` states the four outputs exactly.
+//! The matrix is `vertex_visibility`'s bits; cosines are made of normals and lights in units of 2^-15 when they are
+//! used. Intensities are in fixed point, with one exponent a channel that the host chooses ([`Fixed`], which counts
+//! what the range loses). Invariant: a colour is one rounding of an exact integer.
 
 use std::sync::Arc;
 
@@ -24,7 +24,7 @@ pub use oracle::Shape;
 pub const KERNEL: Kernel = Kernel {
     name: "illumination",
     summary: "colours of vertices: environment blurred and looked up, matrix times intensities, gamma by table",
-    citation: "Ambient occlusion by occlusion queries, sections 3.2, 3.3 and 5",
+    citation: "Sattler et al., Hardware-Accelerated Ambient Occlusion Computation, 2004, sections 3.2, 3.3 and 5",
     programs: || Ok(vec![Illumination::new()?.program]),
     cases: cases::all,
 };
@@ -143,8 +143,8 @@ pub struct Surface {
     pub occluded: Buffer<[u32]>,
 }
 
-/// Shift of a colour's channel whose texels have shift `texel` and whose lights' weights, shares of the sphere, are shifted up
-/// by `weight` ([`scaled_weights`]): an unoccluded vertex under an environment of one is then one.
+/// Shift of a colour's channel whose texels have shift `texel` and whose lights' weights, shares of the sphere, are
+/// shifted up by `weight` ([`scaled_weights`]): an unoccluded vertex under an environment of one is then one.
 pub fn colour_shift(texel: i32, weight: u32) -> i32 {
     // 15 for the cosine, less 2: four times the mean of the positive cosines over the sphere is 1.
     13 + texel + weight as i32
@@ -187,8 +187,8 @@ impl Illumination {
         Ok(Illumination { program })
     }
 
-    /// One pass of a blur of a latitude-longitude map, along rows or along columns. `taps` are an odd number that sum to at
-    /// most 2^16 ([`gaussian_taps`]).
+    /// One pass of a blur of a latitude-longitude map, along rows or along columns. `taps` are an odd number that sum
+    /// to at most 2^16 ([`gaussian_taps`]).
     pub fn record_blur(
         &self,
         job: &mut Job,
@@ -216,7 +216,8 @@ impl Illumination {
         Ok(())
     }
 
-    /// Intensities of the first `count` lights: the texel of each direction, components within [-2^15, 2^15], times its weight.
+    /// Intensities of the first `count` lights: the texel of each direction, components within [-2^15, 2^15], times its
+    /// weight.
     pub fn record_look_up(
         &self,
         job: &mut Job,
@@ -241,8 +242,8 @@ impl Illumination {
         Ok(())
     }
 
-    /// Colours of all vertices, three planes of f32 bits, under the first `count` lights: unit directions of length 2^15 in
-    /// the frame of the normals, and intensities. `shift` is each channel's [`colour_shift`].
+    /// Colours of all vertices, three planes of f32 bits, under the first `count` lights: unit directions of length
+    /// 2^15 in the frame of the normals, and intensities. `shift` is each channel's [`colour_shift`].
     pub fn record_illuminate(
         &self,
         job: &mut Job,

@@ -72,7 +72,8 @@ pub fn blurred(width: u32, texels: &[[u32; 4]], taps: &[u32], along_columns: boo
         .collect()
 }
 
-/// An entry of the matrix: the cosine of normal and light in units of 2^-15, 0 where it is negative or the light occluded.
+/// An entry of the matrix: the cosine of normal and light in units of 2^-15, 0 where it is negative or the light
+/// occluded.
 pub fn entry(normal: [i32; 3], light: [i32; 3], is_occluded: bool) -> u32 {
     let dot: i64 = normal.iter().zip(light).map(|(&n, l)| i64::from(n) * i64::from(l)).sum();
     if is_occluded { 0 } else { (dot >> 15).max(0) as u32 }

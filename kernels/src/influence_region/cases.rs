@@ -1,4 +1,5 @@
-//! From no triangle to 200,000, and the families that are hard to get right; receivers on a parallel plane and on others.
+//! From no triangle to 200,000, and the families that are hard to get right; receivers on a parallel plane and on
+//! others.
 
 use sightlines_backend::host::Buffer;
 use sightlines_backend::{Case, Expected, Job, Result, Size};

@@ -7,18 +7,18 @@
 //     first = the least i, last = the greatest i, with  min p <= origin + step * i <= max p
 //
 // over all points p where a line from a corner sample through a vertex meets the receivers' plane, clamped to the
-// receivers that exist. Output: (first column, last column, first row, last row) a triangle; the region is empty where a
-// first exceeds its last. `tilted.wgsl` is the same for receivers on any plane.
+// receivers that exist. Output: (first column, last column, first row, last row) a triangle; the region is empty where
+// a first exceeds its last. `tilted.wgsl` is the same for receivers on any plane.
 //
 // The box is the least one for a triangle that lies between the planes. Where a triangle stands partly beyond the
-// receivers' plane, the lines to its vertices there meet the plane on their way, and the box still holds the region of the
-// part in front: that part's points are means of the vertices, and so are their projections. A triangle with a vertex in
-// the source plane has no bounded projection, and its region is all receivers. A triangle that lies wholly in or beyond
-// one of the planes hides nothing, and its region is empty.
+// receivers' plane, the lines to its vertices there meet the plane on their way, and the box still holds the region of
+// the part in front: that part's points are means of the vertices, and so are their projections. A triangle with a
+// vertex in the source plane has no bounded projection, and its region is all receivers. A triangle that lies wholly in
+// or beyond one of the planes hides nothing, and its region is empty.
 //
-// Of a one-sided triangle (`ONE_SIDED`) the samples are those in front of it alone: the corners above are then those of the
-// box around them, and the region is the least box around the projections from all of them. Section 3, figure 1, has no
-// region for this case; docs/numerics.md derives it.
+// Of a one-sided triangle (`ONE_SIDED`) the samples are those in front of it alone: the corners above are then those of
+// the box around them, and the region is the least box around the projections from all of them. Section 3, figure 1,
+// has no region for this case; docs/numerics.md derives it.
 //
 // With w = height - z a line from sample coordinate s through (v, z) meets the plane at (v * height - s * w) / z. All
 // numerators stay below 2^31: |v * height|, |s * w|, |origin * z| <= 2^29.
@@ -83,8 +83,9 @@ fn join(a: vec2<i32>, b: vec2<i32>) -> vec2<i32> {
     return vec2<i32>(min(a.x, b.x), max(a.y, b.y));
 }
 
-/// First and last sample of an axis that see a front in any row across it; none where the first exceeds the last. `n` and `a`
-/// are a normal and a point of the triangle, and `first`, `last` the ends of the two axes, all with this axis as x.
+/// First and last sample of an axis that see a front in any row across it; none where the first exceeds the last. `n`
+/// and `a` are a normal and a point of the triangle, and `first`, `last` the ends of the two axes, all with this axis
+/// as x.
 fn seen(n: vec3<i32>, a: vec3<i32>, first: vec2<i32>, last: vec2<i32>, step: i32, count: u32) -> vec2<i32> {
     // Of a column of samples the end that is farther along the normal sees the front if any does.
     let f = along_row(n, a, first.x, select(first.y, last.y, n.y > 0));

@@ -1,8 +1,8 @@
 //! Influence regions: which receivers a triangle can hide any sample from, as an exact rectangle.
 //!
-//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 3. `kernel.wgsl` states the output exactly
-//! for receivers on a plane parallel to the source, in 32 bits; `tilted.wgsl` for a lattice of receivers on any plane.
-//! Invariant: a receiver outside a triangle's region is hidden from no sample by it.
+//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 3. `kernel.wgsl` states the output
+//! exactly for receivers on a plane parallel to the source, in 32 bits; `tilted.wgsl` for a lattice of receivers on any
+//! plane. Invariant: a receiver outside a triangle's region is hidden from no sample by it.
 
 use std::sync::Arc;
 

@@ -1,5 +1,5 @@
-//! The region of a triangle from the projections of its vertices, as fractions in i128: a column belongs to it iff it lies
-//! between the least and the greatest.
+//! The region of a triangle from the projections of its vertices, as fractions in i128: a column belongs to it iff it
+//! lies between the least and the greatest.
 
 use crate::grid::{Faces, Lattice, Point, Receivers, Samples, Triangle, cross, dot, is_front, minus};
 

@@ -73,8 +73,8 @@ impl TiltedRegion {
     ///
     /// # Errors
     ///
-    /// Samples or receivers beside the grid, a light that does not lie strictly on one side of the receivers' plane, and
-    /// regions that are too short.
+    /// Samples or receivers beside the grid, a light that does not lie strictly on one side of the receivers' plane,
+    /// and regions that are too short.
     pub fn record(
         &self,
         job: &mut Job,

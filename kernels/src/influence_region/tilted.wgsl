@@ -1,26 +1,29 @@
 // Influence regions on receivers of any plane: which of them a triangle can hide any sample from.
 //
-// Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 3, equation 3: a triangle is projected from
-// the four corners of the source by four uniform matrices, and the bounding box of the twelve projections is its region.
-// Here the receivers are a lattice (`grid.rs`), receiver (i, r) at origin + i U + r V, and the box is exact in i and r:
+// Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 3, equation 3: a triangle is projected
+// from the four corners of the source by four uniform matrices, and the bounding box of the twelve projections is its
+// region. Here the receivers are a lattice (`grid.rs`), receiver (i, r) at origin + i U + r V, and the box is exact in
+// i and r:
 //
 //     first = the least whole number >= min p, last = the greatest whole number <= max p
 //
-// over the coordinates p of all projections, clamped to the receivers that exist. Output: (first column, last column, first
-// row, last row) a triangle; the region is empty where a first exceeds its last.
+// over the coordinates p of all projections, clamped to the receivers that exist. Output: (first column, last column,
+// first row, last row) a triangle; the region is empty where a first exceeds its last.
 //
-// With d = vertex - sample, n = U x V turned away from the source, and m = sample - origin, a line from the sample through
-// the vertex meets the plane, by Cramer's rule, at column ((m x V) . d) / (n . d) and row ((U x m) . d) / (n . d). The
-// products with m are the matrices. n . d, the *weight*, is how much nearer the vertex is to the plane than the sample:
+// With d = vertex - sample, n = U x V turned away from the source, and m = sample - origin, a line from the sample
+// through the vertex meets the plane, by Cramer's rule, at column ((m x V) . d) / (n . d) and row ((U x m) . d) / (n .
+// d). The products with m are the matrices. n . d, the *weight*, is how much nearer the vertex is to the plane than the
+// sample:
 //
-// * all weights positive: the box, which is the least one for a triangle that lies in front of the plane. A vertex beyond
-//   the plane adds a point that its lines pass on their way, and the box still holds the region of the part in front.
+// * all weights positive: the box, which is the least one for a triangle that lies in front of the plane. A vertex
+//   beyond the plane adds a point that its lines pass on their way, and the box still holds the region of the part in
+//   front.
 // * no weight positive: the triangle is farther from the plane than the source, hides nothing, and its region is empty.
 //   So it is where the whole triangle lies in the source plane, or in or beyond the receivers' plane.
 // * some positive: the projection is not bounded, and the region is all receivers.
 //
-// The last case is conservative, and so is a vertex beyond the plane. Components of d and m are below 2^15, of n and the
-// matrices below 2^31, so weights and numerators are below 3 * 2^46.
+// The last case is conservative, and so is a vertex beyond the plane. Components of d and m are below 2^15, of n and
+// the matrices below 2^31, so weights and numerators are below 3 * 2^46.
 
 import package::shared::wide::{add64, dot64, ltu64, sgn64, sub64, umul_wide};
 
@@ -59,7 +62,8 @@ fn multiple(a: vec2<u32>, k: u32) -> vec2<u32> {
 }
 
 /// floor(n / d) for 0 <= n < 2^13 d, or one more or less.
-/// float: guess - each conversion, the sum of positive terms and the quotient: less than 2^-19 relative, 2^-6 of the result
+/// float: guess - each conversion, the sum of positive terms and the quotient: less than 2^-19 relative, 2^-6 of the
+/// result
 fn near_quotient(n: vec2<u32>, d: vec2<u32>) -> u32 {
     let above = f32(n.y) * 4294967296.0 + f32(n.x);
     return u32(above / (f32(d.y) * 4294967296.0 + f32(d.x)));

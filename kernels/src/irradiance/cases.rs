@@ -1,4 +1,5 @@
-//! Groups of one to 24 colours and one for each sample, receivers a cell away and a grid away, turned away, shifted, absent.
+//! Groups of one to 24 colours and one for each sample, receivers a cell away and a grid away, turned away, shifted,
+//! absent.
 
 use sightlines_backend::{Case, Expected, Job, Outputs, Result, Size};
 

@@ -1,20 +1,23 @@
 // Irradiance: what the samples that a receiver sees send to it, by groups of samples.
 //
-// Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 8: samples of one colour form a group with a
-// mask of its own; what a receiver gets from a light of several colours is a sum over groups. The weight of a sample S at a
-// receiver R with normal N is the form factor's kernel (Cohen and Wallace, "Radiosity and Realistic Image Synthesis", 1993,
-// chapter 4): cos a cos b / d^2, where a is the angle at R, b that at S, where the light faces +z, and d the distance.
+// Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 8: samples of one colour form a group
+// with a mask of its own; what a receiver gets from a light of several colours is a sum over groups. The weight of a
+// sample S at a receiver R with normal N is the form factor's kernel (Cohen and Wallace, "Radiosity and Realistic Image
+// Synthesis", 1993, chapter 4): cos a cos b / d^2, where a is the angle at R, b that at S, where the light faces +z,
+// and d the distance.
 //
-// Sample s of receiver r is hidden iff bit s % bits of `masks[(s / bits) * receivers + r]` is set; group g has those samples
-// whose bits are set in its words `groups[g * words ..]`. For every group g and receiver r:
+// Sample s of receiver r is hidden iff bit s % bits of `masks[(s / bits) * receivers + r]` is set; group g has those
+// samples whose bits are set in its words `groups[g * words ..]`. For every group g and receiver r:
 //
 //     visible[g * receivers + r]         = how many samples of the group r sees
-//     light[2 * (g * receivers + r) ..]  = the sum of their weights, in units of 2^-48 a square cell: low word, high word
+//     light[2 * (g * receivers + r) ..]  = the sum of their weights, in units of 2^-48 a square cell: low word, high
+//     word
 //
-// With w = R - S, q = w . w and N of length 2^15 or less, a weight is floor(2^17 u / q), u = floor(2^16 (-N . w) w.z / q), 0
-// where the light is behind the receiver. Components of w are below 2^15, so q < 2^32; |N . w| <= 2^15 sqrt(q) < 2^31, though
-// the sum of its products may wrap on the way; the first numerator is below 2^62, u at most 2^31 (2^16 |N| |w|^2 / q), the
-// second numerator at most 2^48, and so is a weight. A sum of 1024 is at most 2^58. A receiver with z = 0 is none and gets 0.
+// With w = R - S, q = w . w and N of length 2^15 or less, a weight is floor(2^17 u / q), u = floor(2^16 (-N . w) w.z /
+// q), 0 where the light is behind the receiver. Components of w are below 2^15, so q < 2^32; |N . w| <= 2^15 sqrt(q) <
+// 2^31, though the sum of its products may wrap on the way; the first numerator is below 2^62, u at most 2^31 (2^16 |N|
+// |w|^2 / q), the second numerator at most 2^48, and so is a weight. A sum of 1024 is at most 2^58. A receiver with z =
+// 0 is none and gets 0.
 
 import package::shared::divide::udiv64_32;
 import package::shared::wide::{add64, shl64, umul_wide};

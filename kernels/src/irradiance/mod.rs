@@ -1,7 +1,7 @@
 //! Irradiance: how many samples of each group of a light a receiver sees, and how much light they send.
 //!
-//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 8. `kernel.wgsl` states both outputs and their
-//! bit budget. Invariant: sums of weights are exact integers, equal in any order and on every machine.
+//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 8. `kernel.wgsl` states both outputs
+//! and their bit budget. Invariant: sums of weights are exact integers, equal in any order and on every machine.
 
 use std::sync::Arc;
 
@@ -156,8 +156,8 @@ impl Irradiance {
         Ok(visible)
     }
 
-    /// Sums the weights of the samples of each group that each receiver sees; `normals` have length [`UNIT`] or less. The
-    /// sum of group g and receiver r, in units of 2^-[`FRACTION`] a square cell, has its low and its high word at
+    /// Sums the weights of the samples of each group that each receiver sees; `normals` have length [`UNIT`] or less.
+    /// The sum of group g and receiver r, in units of 2^-[`FRACTION`] a square cell, has its low and its high word at
     /// `2 * (g * receivers + r)`.
     pub fn record(&self, job: &mut Job, seen: &Seen<'_>, normals: &[[i32; 3]]) -> Result<Buffer<[u32]>> {
         seen.check()?;

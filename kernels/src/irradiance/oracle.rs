@@ -4,8 +4,8 @@ use super::{Groups, UNIT};
 use crate::field::{Field, Receiver};
 use crate::pattern::Pattern;
 
-/// cos a cos b / d^2 of a sample at (x, y, 0), which faces +z, and a receiver with a normal of length [`UNIT`]: in units of
-/// 2^-48 a square cell, rounded down after each division by the square of the distance.
+/// cos a cos b / d^2 of a sample at (x, y, 0), which faces +z, and a receiver with a normal of length [`UNIT`]: in
+/// units of 2^-48 a square cell, rounded down after each division by the square of the distance.
 pub fn weight(receiver: [i32; 3], normal: [i32; 3], sample: [i32; 2]) -> u64 {
     let w = [receiver[0] - sample[0], receiver[1] - sample[1], receiver[2]].map(i128::from);
     let facing = -(0..3).map(|i| i128::from(normal[i]) * w[i]).sum::<i128>();

@@ -186,7 +186,8 @@ fn chain(name: &str, size: Size, sides: [u32; 2], naming: &'static Naming) -> Ca
     Case::new(name, size, job, expected).probes([0, 5, 16 * blocks / 2, 16 * blocks - 1])
 }
 
-/// Sums a weight of every pixel of a screen, as of a blocker that lets light through, in both orders, and two mip levels.
+/// Sums a weight of every pixel of a screen, as of a blocker that lets light through, in both orders, and two mip
+/// levels.
 fn weighted(name: &str, size: Size, tiling: Tiling, weight: fn(u32) -> u32) -> Case {
     let blocks = FIGURE_4.iter().sum::<u32>();
     let bins = blocks << (2 * tiling.depth);

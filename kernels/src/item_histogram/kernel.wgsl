@@ -1,23 +1,24 @@
 // Pixel counts of instances and screen tiles: the hierarchical item buffer.
 //
 // Engelhardt and Dachsbacher, "Granular Visibility Queries on the GPU" (I3D 2009), section 3.2 and figure 4; the
-// histogram by scatter is Scheuermann and Hensley, "Efficient Histogram Generation Using Scattering on GPUs" (I3D 2007).
+// histogram by scatter is Scheuermann and Hensley, "Efficient Histogram Generation Using Scattering on GPUs" (I3D
+// 2007).
 //
 // `label` writes the id of every pixel of an item buffer: with the screen cut into 2^t by 2^t tiles and (x, y) the tile
 // of the pixel,
 //
 //     id = base[object] + instance * 2^(2t) + x + y * 2^t,
 //
-// and 0xffffffff for the background and for objects without a base. An item has its instance in its lowest bits, 1 to 31
-// of them, and its object above; with 31 bits and one base, items of any meaning are spread over the tiles. `count` adds to counts[id], for id < bins, the
-// number of times that id occurs; other ids are ignored. `weigh` adds to counts[id] the weights of its items instead, modulo
-// 2^32 (section 5: visibility that is not binary). `halve` makes blocks of s by s bins from blocks of 2s by 2s,
-// each bin the sum of its four children: the next mip level, as sums.
+// and 0xffffffff for the background and for objects without a base. An item has its instance in its lowest bits, 1 to
+// 31 of them, and its object above; with 31 bits and one base, items of any meaning are spread over the tiles. `count`
+// adds to counts[id], for id < bins, the number of times that id occurs; other ids are ignored. `weigh` adds to
+// counts[id] the weights of its items instead, modulo 2^32 (section 5: visibility that is not binary). `halve` makes
+// blocks of s by s bins from blocks of 2s by 2s, each bin the sum of its four children: the next mip level, as sums.
 
 import package::shared::permute::permute;
 
-/// Words of counts of one workgroup, a power of two; 4096 fill its 16 KiB of memory. A word counts two bins of the tile,
-/// b and b + TILE_WORDS, in 16 bits each: a workgroup must take fewer than 65,536 items.
+/// Words of counts of one workgroup, a power of two; 4096 fill its 16 KiB of memory. A word counts two bins of the
+/// tile, b and b + TILE_WORDS, in 16 bits each: a workgroup must take fewer than 65,536 items.
 const TILE_WORDS: u32 = 4096u;
 /// Whether items are taken in a scattered order, so that neighbours of one id do not meet in one bin.
 const SCATTERED: bool = false;

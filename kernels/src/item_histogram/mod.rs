@@ -1,8 +1,9 @@
 //! Pixel counts of instances and screen tiles: labels, histogram and mip levels of a hierarchical item buffer.
 //!
 //! Engelhardt and Dachsbacher, "Granular Visibility Queries on the GPU", section 3.2 and figure 4. `kernel.wgsl` states
-//! the three outputs exactly. Bins are counted in workgroup memory, a tile of them at a time, and added to memory once a
-//! workgroup. Invariant: counts are sums of atomic additions, so the order of the items, scattered or not, cannot show.
+//! the three outputs exactly. Bins are counted in workgroup memory, a tile of them at a time, and added to memory once
+//! a workgroup. Invariant: counts are sums of atomic additions, so the order of the items, scattered or not, cannot
+//! show.
 
 use std::sync::Arc;
 
@@ -141,7 +142,8 @@ bindings! {
 /// Invocations a workgroup.
 const GROUP: u32 = 256;
 
-/// Words of counts of a workgroup, by variant: few bins need little memory, many need all of it. A word counts two bins.
+/// Words of counts of a workgroup, by variant: few bins need little memory, many need all of it. A word counts two
+/// bins.
 const TILE_WORDS: [u32; 2] = [256, 4096];
 
 /// The compiled kernel: for each order, one program for each of `TILE_WORDS`.
@@ -169,9 +171,9 @@ impl ItemHistogram {
         })
     }
 
-    /// Writes the id of every pixel: one word of `items` and of `labels` a pixel, one word of `base` an object. The lowest
-    /// `instance_bits` of an item are its instance, the others its object: [`INSTANCE_BITS`] for words made by [`item`];
-    /// 31, with one base, for items that have no objects, such as clusters of triangles.
+    /// Writes the id of every pixel: one word of `items` and of `labels` a pixel, one word of `base` an object. The
+    /// lowest `instance_bits` of an item are its instance, the others its object: [`INSTANCE_BITS`] for words made by
+    /// [`item`]; 31, with one base, for items that have no objects, such as clusters of triangles.
     pub fn record_labels(
         &self,
         job: &mut Job,
@@ -231,8 +233,8 @@ impl ItemHistogram {
         Ok(())
     }
 
-    /// Adds to `sums`, one word for each of `bins` bins, the weights of each id's items among the first `items` of `ids`,
-    /// modulo 2^32: `weights` has a word an item.
+    /// Adds to `sums`, one word for each of `bins` bins, the weights of each id's items among the first `items` of
+    /// `ids`, modulo 2^32: `weights` has a word an item.
     pub fn record_weights(
         &self,
         job: &mut Job,

@@ -2,8 +2,8 @@
 
 use super::{NOTHING, Tiling};
 
-/// The id of every pixel: `base + instance · 4^depth + x + y · 2^depth` for tile (x, y), modulo 2³². The instance is what
-/// remains of an item by 2^`instance_bits`, the object the quotient.
+/// The id of every pixel: `base + instance · 4^depth + x + y · 2^depth` for tile (x, y), modulo 2³². The instance is
+/// what remains of an item by 2^`instance_bits`, the object the quotient.
 pub fn labels(tiling: Tiling, (items, instance_bits): (&[u32], u32), base: &[u32]) -> Vec<u32> {
     let tiles = 1_u64 << tiling.depth;
     let (width, height) = (u64::from(tiling.width), u64::from(tiling.height));

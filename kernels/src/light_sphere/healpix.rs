@@ -1,10 +1,10 @@
 //! Equal-area directions: the pixel centres of HEALPix in nested order.
 //!
 //! Górski et al., "HEALPix: A Framework for High-Resolution Discretization and Fast Analysis of Data Distributed on the
-//! Sphere" (ApJ 622, 2005), sections 4 and 5: twelve faces of 4^order pixels of equal area. The opposite of a centre is a
-//! centre, of face f + 8 or so for the polar faces and of f + 2 for the equatorial ones, so faces 0 to 5 in nested order name
-//! all pairs: pair p is nested pixel p and its negation. Invariants: opposites are exact negations; components are rounded
-//! once, from f64 and the pinned `libm`, to units of 2^-13.
+//! Sphere" (ApJ 622, 2005), sections 4 and 5: twelve faces of 4^order pixels of equal area. The opposite of a centre is
+//! a centre, of face f + 8 or so for the polar faces and of f + 2 for the equatorial ones, so faces 0 to 5 in nested
+//! order name all pairs: pair p is nested pixel p and its negation. Invariants: opposites are exact negations;
+//! components are rounded once, from f64 and the pinned `libm`, to units of 2^-13.
 
 use std::f64::consts::FRAC_PI_2;
 

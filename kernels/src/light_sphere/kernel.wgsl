@@ -1,18 +1,18 @@
 // Light spheres: the directions of a subdivided octahedron by number, and directions turned with their environment.
 //
-// The set of directional lights is the octahedron of "Ambient occlusion by occlusion queries", section 3.4, subdivided on
-// its flat faces: level s is the lattice |x| + |y| + |z| = 2^s, 2 + 4^(s+1) directions. Directions are left at their
+// The set of directional lights is the octahedron of Sattler et al. 2004, section 3.4, subdivided
+// on its flat faces: level s is the lattice |x| + |y| + |z| = 2^s, 2 + 4^(s+1) directions. Directions are left at their
 // lattice length. They are numbered so that every level is a prefix of the next one, and directions 2p and 2p + 1 are
 // opposite. Of a pair p the first direction is
 //
 // * +x, +y, +z for p = 0, 1, 2;
-// * from there on, level by level, a point with two odd coordinates. With e the axis of the even one and a, b the two after
-//   it in cyclic order, the coordinate on a is positive; pairs are ordered by e, then by the coordinates' sum b + e, then by
-//   b - e. Level s has 2^(2s-1) pairs for each e: sums and differences are the odd numbers in (-2^s, 2^s) that agree
-//   modulo 4.
+// * from there on, level by level, a point with two odd coordinates. With e the axis of the even one and a, b the two
+//   after it in cyclic order, the coordinate on a is positive; pairs are ordered by e, then by the coordinates' sum b +
+//   e, then by b - e. Level s has 2^(2s-1) pairs for each e: sums and differences are the odd numbers in (-2^s, 2^s)
+//   that agree modulo 4.
 //
-// `octahedron` writes (x, y, z, 2^s) of every number below `count`. `turn` writes (R u) / 2^14, rounded down, where u is a
-// direction scaled to length 2^15 and rounded towards 0, and the rows of R are in units of 2^-14.
+// `octahedron` writes (x, y, z, 2^s) of every number below `count`. `turn` writes (R u) / 2^14, rounded down, where u
+// is a direction scaled to length 2^15 and rounded towards 0, and the rows of R are in units of 2^-14.
 
 import package::shared::direction::normalize3_q15;
 import package::shared::wide::uabs;

@@ -1,13 +1,13 @@
 //! Light spheres: sets of directional lights, in levels that refine each other, and their rotation.
 //!
-//! The octahedron of "Ambient occlusion by occlusion queries", section 3.4, on its integer lattice: 6, 18, 66, 258, 1026,
-//! 4098 and 16,386 directions, each level a prefix of the next; [`weights()`] makes sums over them integrals, and
-//! [`healpix()`] is the alternative of equal areas. `kernel.wgsl` states the numbering and both outputs exactly. Invariant:
-//! directions 2p and 2p + 1 are opposite.
+//! The octahedron of Sattler et al. 2004, section 3.4, on its integer lattice: 6, 18, 66, 258,
+//! 1026, 4098 and 16,386 directions, each level a prefix of the next; [`weights()`] makes sums over them integrals, and
+//! [`healpix()`] is the alternative of equal areas. `kernel.wgsl` states the numbering and both outputs exactly.
+//! Invariant: directions 2p and 2p + 1 are opposite.
 //!
 //! The paper projects midpoints to the sphere after every subdivision; here the octahedron's flat faces are subdivided.
-//! Number, nesting and symmetries of the directions are the same, no direction is more than 4.1 degrees from the paper's,
-//! and all are exact.
+//! Number, nesting and symmetries of the directions are the same, no direction is more than 4.1 degrees from the
+//! paper's, and all are exact.
 
 use std::sync::Arc;
 
@@ -29,7 +29,7 @@ pub use weights::weights;
 pub const KERNEL: Kernel = Kernel {
     name: "light_sphere",
     summary: "directions of the subdivided octahedron, level by level, and their rotation",
-    citation: "Ambient occlusion by occlusion queries, sections 3.4 and 5",
+    citation: "Sattler et al., Hardware-Accelerated Ambient Occlusion Computation, 2004, sections 3.4 and 5",
     programs: || Ok(vec![LightSphere::new()?.program]),
     cases: cases::all,
 };
@@ -103,7 +103,8 @@ impl Rotation {
     /// Leaves directions where they are.
     pub const IDENTITY: Rotation = Rotation([[1 << 14, 0, 0], [0, 1 << 14, 0], [0, 0, 1 << 14]]);
 
-    /// The rotation with these rows, rounded to the nearest units. Rows must be orthonormal within 2^-10 and right-handed.
+    /// The rotation with these rows, rounded to the nearest units. Rows must be orthonormal within 2^-10 and
+    /// right-handed.
     pub fn new(rows: [[f64; 3]; 3]) -> Result<Self> {
         let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
         let [x, y, z] = rows;
@@ -153,8 +154,8 @@ impl LightSphere {
         Ok(())
     }
 
-    /// Turns the first `count` directions, whose components are within [-2^15, 2^15] and not all 0, as the environment is
-    /// turned; results have a length of about 2^15.
+    /// Turns the first `count` directions, whose components are within [-2^15, 2^15] and not all 0, as the environment
+    /// is turned; results have a length of about 2^15.
     pub fn record_turn(
         &self,
         job: &mut Job,

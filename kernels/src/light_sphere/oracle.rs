@@ -1,4 +1,5 @@
-//! The definition: every lattice point of the octahedron, sorted as the numbering says; and a rotation in wide integers.
+//! The definition: every lattice point of the octahedron, sorted as the numbering says; and a rotation in wide
+//! integers.
 
 use crate::exact::oracle::angle::normalize3_q15;
 
@@ -94,8 +95,8 @@ mod tests {
         }
     }
 
-    /// Largest angle in degrees between a lattice direction and the same vertex where, as the paper has it, every midpoint is
-    /// projected to the sphere before the next subdivision.
+    /// Largest angle in degrees between a lattice direction and the same vertex where, as the paper has it, every
+    /// midpoint is projected to the sphere before the next subdivision.
     fn departure(s: u32) -> f64 {
         type Vertex = (Direction, [f64; 3]);
         let unit = |v: [f64; 3]| {

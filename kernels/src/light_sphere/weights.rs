@@ -1,17 +1,17 @@
-//! Solid angles of the octahedron's directions: lattice points are denser around the face centres' rims than at the corners,
-//! so a sum over directions becomes an integral over the sphere only with weights.
+//! Solid angles of the octahedron's directions: lattice points are denser around the face centres' rims than at the
+//! corners, so a sum over directions becomes an integral over the sphere only with weights.
 //!
 //! A direction's weight is a third of the spherical triangles of the level's mesh around it (Van Oosterom and Strackee,
-//! "The Solid Angle of a Plane Triangle", 1983), as a fraction of the sphere in units of 2^-32. It is computed for one of
-//! the up to 48 directions that the octahedron's symmetries exchange, in f64 and the pinned `libm`, so that equal
+//! "The Solid Angle of a Plane Triangle", 1983), as a fraction of the sphere in units of 2^-32. It is computed for one
+//! of the up to 48 directions that the octahedron's symmetries exchange, in f64 and the pinned `libm`, so that equal
 //! directions have equal weights on every host. Weights belong to a level: a finer one divides the sphere anew.
 
 use std::f64::consts::PI;
 
 use super::oracle::Direction;
 
-/// Weights of all `2 + 4^(level + 1)` directions of a level, in their order; they sum to 2^32 but for rounding, half a unit
-/// a direction.
+/// Weights of all `2 + 4^(level + 1)` directions of a level, in their order; they sum to 2^32 but for rounding, half a
+/// unit a direction.
 ///
 /// # Panics
 ///

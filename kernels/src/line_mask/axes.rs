@@ -9,8 +9,8 @@ use glam::IVec4;
 /// What an integer of the axes is the unit of: 2^14.
 pub const AXIS: f64 = 16_384.0;
 
-/// For every i below 2^k: cosine and sine of the centre of angle i, and the distance at the centre of distance i over the
-/// square of half side 2^h, all by [`AXIS`] and rounded.
+/// For every i below 2^k: cosine and sine of the centre of angle i, and the distance at the centre of distance i over
+/// the square of half side 2^h, all by [`AXIS`] and rounded.
 pub fn axes(h: u32, k: u32) -> Vec<IVec4> {
     let count = f64::from(1u32 << k);
     let corner = SQRT_2 * f64::from(1u32 << h) * AXIS;

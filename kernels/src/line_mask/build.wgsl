@@ -1,18 +1,19 @@
 // Tables of a pattern of samples over a space of lines: one mask, or two, a cell.
 //
-// Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 5 and figure 3: the table is made once for a
-// pattern, and works for any pattern. Output, for every cell and every word of a mask, samples s in bit s % bits of word
-// s / bits, coordinates about the centre of the pattern:
+// Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 5 and figure 3: the table is made once
+// for a pattern, and works for any pattern. Output, for every cell and every word of a mask, samples s in bit s % bits
+// of word s / bits, coordinates about the centre of the pattern:
 //
-//     build_exact     cells of the L1 line space (`line_cell.wgsl`) widened on every side by its slack: at 2 * words * cell
+//     build_exact     cells of the L1 line space (`line_cell.wgsl`) widened on every side by its slack: at 2 * words *
+//     cell
 //                     the samples that lie strictly inside every half-plane of the cell, at words more those that lie
 //                     outside not every one
 //     build_sampled   texels (angle, distance) of the Hough space, 2^k of each: at words * texel the samples inside the
 //                     half-plane of the texel's centre
 //
-// A half-plane's value at a sample is affine in the direction t and in the offset, so its extremes over a cell are at the
-// corners: ((T - t) u +- t v + (o - T) 2^h) / T for t and o in units of 1 / T, the slack. With T <= 2^16, |u|, |v| <= 2^h
-// and h <= 14 both sides of every comparison stay below 2^31.
+// A half-plane's value at a sample is affine in the direction t and in the offset, so its extremes over a cell are at
+// the corners: ((T - t) u +- t v + (o - T) 2^h) / T for t and o in units of 1 / T, the slack. With T <= 2^16, |u|, |v|
+// <= 2^h and h <= 14 both sides of every comparison stay below 2^31.
 
 import package::shared::line::{Line, line_flip};
 

@@ -1,7 +1,7 @@
 // How two hidden-samples maps differ: what a table of lines gets wrong, against the map of the definition.
 //
-// Output: `counts[slot]` grows by the number of bits that are set in `found` and not in `truth`, `counts[slot + 1]` by the
-// number of those that are set in `truth` and not in `found`.
+// Output: `counts[slot]` grows by the number of bits that are set in `found` and not in `truth`, `counts[slot + 1]` by
+// the number of those that are set in `truth` and not in `found`.
 
 struct Params {
     /// Word of the first invocation.

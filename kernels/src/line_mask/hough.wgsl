@@ -11,9 +11,9 @@ import package::shared::root::isqrt64;
 import package::shared::wide::{abs64, add64, ltu64, shl64, shr64, uabs, umul_wide};
 
 /// angle << k | distance of a half-plane over the square of half side 2^h. The angle is the first k bits of the binary
-/// angle of (a, b). With R = floor(sqrt(2 (a^2 + b^2))), so that 2^h R is the distance of the corners in the line's units,
-/// and |c| < 2^h R: distance = 2^(k-1) + floor(2^(k-1) |c| / (2^h R)) for c >= 0, and 2^k - 1 less that for c < 0. Else it is
-/// `CELL_ALL` or `CELL_NONE` by the sign of c. |a|, |b| < 2^31, |c| < 2^49, 1 <= k <= 12, h <= 15.
+/// angle of (a, b). With R = floor(sqrt(2 (a^2 + b^2))), so that 2^h R is the distance of the corners in the line's
+/// units, and |c| < 2^h R: distance = 2^(k-1) + floor(2^(k-1) |c| / (2^h R)) for c >= 0, and 2^k - 1 less that for c <
+/// 0. Else it is `CELL_ALL` or `CELL_NONE` by the sign of c. |a|, |b| < 2^31, |c| < 2^49, 1 <= k <= 12, h <= 15.
 fn texel(ln: Line, h: u32, k: u32) -> u32 {
     let squares = add64(umul_wide(uabs(ln.a), uabs(ln.a)), umul_wide(uabs(ln.b), uabs(ln.b)));
     let corner = isqrt64(shl64(squares, 1u));

@@ -1,25 +1,25 @@
 // Line masks: the samples of any pattern that triangles hide from receivers anywhere, by a table of lines.
 //
-// Eisemann and Décoret, "Visibility Sampling on GPU and Applications", sections 5 and 6: each edge of the backprojection is
-// looked up in a table that holds, for lines near one another, the samples on their inner side; the AND of three masks is
-// what the triangle hides, the OR over triangles is the hidden-samples map. Output: bit s % bits of
-// `hidden[(s / bits) * receivers + r]` is set if any triangle of r's tile list hides sample s from receiver r; other bits
-// are left as they are.
+// Eisemann and Décoret, "Visibility Sampling on GPU and Applications", sections 5 and 6: each edge of the
+// backprojection is looked up in a table that holds, for lines near one another, the samples on their inner side; the
+// AND of three masks is what the triangle hides, the OR over triangles is the hidden-samples map. Output: bit s % bits
+// of `hidden[(s / bits) * receivers + r]` is set if any triangle of r's tile list hides sample s from receiver r; other
+// bits are left as they are.
 //
-// EXACT: the table (`build.wgsl`) knows of each cell which samples are certainly and which are possibly inside. Samples that
-// are possibly inside all half-planes and not certainly are decided by the signs of the lines themselves. So the masks
-// are those of the definition in `grid.rs`, bit for bit, whatever the table's size, and whichever of the cells within its
-// slack `line_cell_fast` returns. Otherwise the table is the paper's: one mask for each angle and distance, taken as it is,
-// and wrong for the samples between the line and the centre of its texel. Past its last cell a table has one without samples;
-// inverted it is the cell of a half-plane that covers the square.
+// EXACT: the table (`build.wgsl`) knows of each cell which samples are certainly and which are possibly inside. Samples
+// that are possibly inside all half-planes and not certainly are decided by the signs of the lines themselves. So the
+// masks are those of the definition in `grid.rs`, bit for bit, whatever the table's size, and whichever of the cells
+// within its slack `line_cell_fast` returns. Otherwise the table is the paper's: one mask for each angle and distance,
+// taken as it is, and wrong for the samples between the line and the centre of its texel. Past its last cell a table
+// has one without samples; inverted it is the cell of a half-plane that covers the square.
 //
-// Nothing is assumed of a triangle. The edges' half-planes are a cone of one side, so what is above the receiver is no special
-// case; one that reaches down to the source has its own plane as a fourth line, for the samples that lie on it.
+// Nothing is assumed of a triangle. The edges' half-planes are a cone of one side, so what is above the receiver is no
+// special case; one that reaches down to the source has its own plane as a fourth line, for the samples that lie on it.
 //
-// One workgroup serves WIDTH * HEIGHT receivers and takes BATCH triangles at a time: first an invocation a pair of triangle
-// and receiver finds its lines and cells, then the pairs that hide anything are listed in their order, and an invocation
-// a listed pair and word of its mask looks up. Coordinates are relative to the centre of the pattern, as it is shifted for the
-// receiver: differences are below 2^15, x and y below 2^15 in magnitude, |c| < 2^48.
+// One workgroup serves WIDTH * HEIGHT receivers and takes BATCH triangles at a time: first an invocation a pair of
+// triangle and receiver finds its lines and cells, then the pairs that hide anything are listed in their order, and an
+// invocation a listed pair and word of its mask looks up. Coordinates are relative to the centre of the pattern, as it
+// is shifted for the receiver: differences are below 2^15, x and y below 2^15 in magnitude, |c| < 2^48.
 
 import package::line_mask::hough::texel;
 import package::shared::backprojection::backproject;
@@ -83,8 +83,8 @@ struct Params {
 /// receiver with z = 0 is none.
 @group(0) @binding(7) var<storage, read> receivers: array<vec4<i32>>;
 
-/// The edges' lines, and where the table knows of them and of the triangle's own plane: the cell's first word, and bit 31
-/// where it is to be inverted. A line that covers the square is 0 u + 0 v + 0 >= 0.
+/// The edges' lines, and where the table knows of them and of the triangle's own plane: the cell's first word, and bit
+/// 31 where it is to be inverted. A line that covers the square is 0 u + 0 v + 0 >= 0.
 struct Pair {
     first: Line,
     second: Line,
@@ -181,9 +181,10 @@ fn known(row: u32, word: u32) -> vec2<u32> {
 
 /// `half_plane` for a line that is in the table, and so passes the square or covers it.
 ///
-/// The value is that of 16 low bits and 32 high ones, T = floor(value / 2^16). With |u|, |v| <= 2^14, low parts of a and b
-/// below 2^16, |c| <= (1 + 2^-16) 2^14 (|a| + |b|) and |a| + |b| <= 2^32 - 2^17 (a component of a normal is a difference of
-/// two products below 2^30), the sum of the low products is below 2^31 and |value| below 2^47: both are exact in 32 bits.
+/// The value is that of 16 low bits and 32 high ones, T = floor(value / 2^16). With |u|, |v| <= 2^14, low parts of a
+/// and b below 2^16, |c| <= (1 + 2^-16) 2^14 (|a| + |b|) and |a| + |b| <= 2^32 - 2^17 (a component of a normal is a
+/// difference of two products below 2^30), the sum of the low products is below 2^31 and |value| below 2^47: both are
+/// exact in 32 bits.
 fn inside(ln: Line, u: i32, v: i32) -> bool {
     let low = (ln.a & 0xffff) * u + (ln.b & 0xffff) * v;
     let rest = (low & 0xffff) + bitcast<i32>(ln.c.x & 0xffffu);

@@ -1,9 +1,9 @@
 //! Line masks: the masks of any pattern of samples by a table over the space of lines.
 //!
-//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", sections 5 and 6. `build.wgsl` states what a table
-//! holds, `kernel.wgsl` what is made of it. Invariant: with an exact table the masks are those of
-//! [`crate::grid::hidden`], bit for bit, on every machine and whatever the resolution; with the paper's they are equal on
-//! every machine, and as wrong as its resolution makes them.
+//! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", sections 5 and 6. `build.wgsl` states what a
+//! table holds, `kernel.wgsl` what is made of it. Invariant: with an exact table the masks are those of
+//! [`crate::grid::hidden`], bit for bit, on every machine and whatever the resolution; with the paper's they are equal
+//! on every machine, and as wrong as its resolution makes them.
 
 use std::sync::Arc;
 
@@ -39,8 +39,8 @@ pub const KERNEL: Kernel = Kernel {
 /// Workgroups times list entries of one recording.
 const PAIRS: u64 = 1 << 16;
 
-/// Entries of a tile's list that one launch takes: even if every sample is in doubt an invocation's loops turn at most 36,000
-/// times, and some devices end all at 65,535 (docs/adding-a-kernel.md).
+/// Entries of a tile's list that one launch takes: even if every sample is in doubt an invocation's loops turn at most
+/// 36,000 times, and some devices end all at 65,535 (docs/adding-a-kernel.md).
 const LIST: u32 = 1 << 8;
 
 const GROUP: u32 = 256;
@@ -150,8 +150,8 @@ bindings! {
 /// A space of oriented lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Space {
-    /// L1 directions and offsets; a cell knows what is certain, and what is not is decided by signs. 2^k directions in each
-    /// of two quadrants by 2^(k + 1) offsets, two masks a cell.
+    /// L1 directions and offsets; a cell knows what is certain, and what is not is decided by signs. 2^k directions in
+    /// each of two quadrants by 2^(k + 1) offsets, two masks a cell.
     Exact,
     /// The paper's angles and distances, 2^k of each; a texel's mask is that of its centre.
     Sampled,
@@ -198,9 +198,9 @@ pub struct Table {
     pub cells: Buffer<[u32]>,
 }
 
-/// Adds to a job all that makes the masks of `triangles` in `tiles`, which are [`TILE`] receivers large or a multiple of it in
-/// height: scene, table and look-ups. Returns the masks: sample s of receiver r in bit `s % bits` of word
-/// `(s / bits) * receivers + r`.
+/// Adds to a job all that makes the masks of `triangles` in `tiles`, which are [`TILE`] receivers large or a multiple
+/// of it in height: scene, table and look-ups. Returns the masks: sample s of receiver r in bit `s % bits` of word `(s
+/// / bits) * receivers + r`.
 pub fn record_masks(
     job: &mut Job,
     pattern: &Pattern,
@@ -244,8 +244,8 @@ fn differ() -> Result<Arc<Program>> {
     Ok(program)
 }
 
-/// Adds to `counts[slot]` the bits that of two hidden-samples maps only `found` has, and to `counts[slot + 1]` those that
-/// only `truth` has: how wrong a table is.
+/// Adds to `counts[slot]` the bits that of two hidden-samples maps only `found` has, and to `counts[slot + 1]` those
+/// that only `truth` has: how wrong a table is.
 pub fn record_differ(
     job: &mut Job,
     found: Buffer<[u32]>,

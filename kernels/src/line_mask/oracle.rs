@@ -1,5 +1,5 @@
-//! What the kernel must give, from definitions alone: the masks by [`Pattern::hidden_set`], the cells of an exact table by
-//! the extremes of all half-planes in them as fractions, and the paper's table by its texels.
+//! What the kernel must give, from definitions alone: the masks by [`Pattern::hidden_set`], the cells of an exact table
+//! by the extremes of all half-planes in them as fractions, and the paper's table by its texels.
 
 use glam::IVec4;
 
@@ -44,8 +44,8 @@ fn mask(pattern: &Pattern, is_in: impl Fn(i32, i32) -> bool) -> Vec<u32> {
 
 /// The words of a cell of the exact table: samples strictly inside all its half-planes, then samples not outside all.
 ///
-/// A half-plane of the cell is (1 - t) u + t v + o, with v negated in the second quadrant, for t in `directions` and o in
-/// `offsets`, both in units of 2^-16 and widened by 2^-10 of a cell or by 2^-16, whichever is more.
+/// A half-plane of the cell is (1 - t) u + t v + o, with v negated in the second quadrant, for t in `directions` and o
+/// in `offsets`, both in units of 2^-16 and widened by 2^-10 of a cell or by 2^-16, whichever is more.
 pub fn cell(pattern: &Pattern, k: u32, cell: u32) -> Vec<u32> {
     const UNIT: i128 = 1 << 16;
     let slack = UNIT >> (k + 10).min(16);
@@ -110,8 +110,8 @@ pub fn sampled_set<'a>(
     words
 }
 
-/// Masks of all receivers by the paper's table of 2^k angles and distances. A table that errs can take a triangle to hide
-/// what it is too far from, so it matters which triangles a receiver is tried with: those of its tile's list.
+/// Masks of all receivers by the paper's table of 2^k angles and distances. A table that errs can take a triangle to
+/// hide what it is too far from, so it matters which triangles a receiver is tried with: those of its tile's list.
 pub fn sampled_sets(pattern: &Pattern, k: u32, field: &Field, tiles: &Tiles, triangles: &[Triangle]) -> Vec<u32> {
     let axes = axes(pattern.half_side_bits(), k);
     pattern.sets(field.count(), |receiver| {

@@ -1,5 +1,5 @@
-//! From one pixel to 1024² in four channels: odd sides, single rows and columns, sums that wrap, rectangles of all sizes
-//! and at all edges.
+//! From one pixel to 1024² in four channels: odd sides, single rows and columns, sums that wrap, rectangles of all
+//! sizes and at all edges.
 //!
 //! A case makes the levels and answers rectangles in all channels; the answers are those of the definition of
 //! [`crate::sat`]. Sums are followed by words that must be kept.

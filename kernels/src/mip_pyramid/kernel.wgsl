@@ -1,10 +1,11 @@
 // Mip pyramids of one to eight channels, as sums, and sums over rectangles from them.
 //
-// Engelhardt and Dachsbacher, "Granular Visibility Queries on the GPU" (I3D 2009), section 3.1.4: instead of a summed-area
-// table, a quad-tree a channel tracks how many texels are occupied, and a rectangle is put together from its nodes.
+// Engelhardt and Dachsbacher, "Granular Visibility Queries on the GPU" (I3D 2009), section 3.1.4: instead of a
+// summed-area table, a quad-tree a channel tracks how many texels are occupied, and a rectangle is put together from
+// its nodes.
 //
-// Level 0 is the image, by rows, one channel after another. Level k + 1 has half the columns and rows of level k, rounded
-// up, and
+// Level 0 is the image, by rows, one channel after another. Level k + 1 has half the columns and rows of level k,
+// rounded up, and
 //
 //     level[k + 1](x, y) = sum of level[k](i, j) over 2 x <= i < 2 x + 2, 2 y <= j < 2 y + 2,
 //

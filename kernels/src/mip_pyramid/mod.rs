@@ -1,9 +1,9 @@
 //! Mip pyramids of one to eight channels, as sums, and sums over rectangles from them.
 //!
 //! Engelhardt and Dachsbacher, "Granular Visibility Queries on the GPU", section 3.1.4, count pixels in a quad-tree a
-//! channel instead of a summed-area table: a third more words than the image has and no long sums, but a rectangle takes
-//! nodes along its sides at every level where the table takes four words. `kernel.wgsl` states the outputs exactly.
-//! Invariant: sums are modulo 2³², so the answers are those of [`crate::sat`], bit for bit.
+//! channel instead of a summed-area table: a third more words than the image has and no long sums, but a rectangle
+//! takes nodes along its sides at every level where the table takes four words. `kernel.wgsl` states the outputs
+//! exactly. Invariant: sums are modulo 2³², so the answers are those of [`crate::sat`], bit for bit.
 
 use std::sync::Arc;
 

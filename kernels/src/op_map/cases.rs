@@ -1,6 +1,6 @@
-//! Every byte of a table, words of every kind through other operations, and half-planes to triangles to hidden sets, as the
-//! paper goes: three half-planes by AND, triangles by OR, each equal to the grid's definition. A table for three masks has
-//! 16 MiB, so only cases of two are small.
+//! Every byte of a table, words of every kind through other operations, and half-planes to triangles to hidden sets, as
+//! the paper goes: three half-planes by AND, triangles by OR, each equal to the grid's definition. A table for three
+//! masks has 16 MiB, so only cases of two are small.
 
 use sightlines_backend::host::Buffer;
 use sightlines_backend::{Case, Expected, Job, Result, Size};

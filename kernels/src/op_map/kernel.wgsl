@@ -1,16 +1,18 @@
 // Logical operations on masks without an integer unit: by a table of the operation's result for any three bytes.
 //
-// Eisemann and Décoret, "Visibility Sampling on GPU and Applications" (Computer Graphics Forum 26(3), 2007), section 5 and
-// equation 4: a texture of 256³ texels holds i AND j AND k, or any other operation; one look-up a channel joins three masks
-// of 8-bit channels. An operation is given by its truth table: bit x + 2y + 4z of `truth` is its result for bits x, y, z.
+// Eisemann and Décoret, "Visibility Sampling on GPU and Applications" (Computer Graphics Forum 26(3), 2007), section 5
+// and equation 4: a texture of 256³ texels holds i AND j AND k, or any other operation; one look-up a channel joins
+// three masks of 8-bit channels. An operation is given by its truth table: bit x + 2y + 4z of `truth` is its result for
+// bits x, y, z.
 //
-//     op_map, byte i + 256 j + 65536 k         = op(i, j, k) bit by bit; four bytes a word, the first in the lowest bits
-//     combined[w], byte n                      = byte (a[w] byte n) + 256 (b[w] byte n) + 65536 (c[w] byte n) of op_map
+//     op_map, byte i + 256 j + 65536 k         = op(i, j, k) bit by bit; four bytes a word, the first in the lowest
+//     bits combined[w], byte n                      = byte (a[w] byte n) + 256 (b[w] byte n) + 65536 (c[w] byte n) of
+//     op_map
 //
 // Of two masks the first 256² bytes are enough, those of k = 0.
 //
-// `combine_two` and `combine_three` use no bitwise operation: bytes are taken out and put together by the format conversions that a texture and a
-// render target of RGBA8 have.
+// `combine_two` and `combine_three` use no bitwise operation: bytes are taken out and put together by the format
+// conversions that a texture and a render target of RGBA8 have.
 
 struct Params {
     /// Words of masks to combine, or of a table to build.

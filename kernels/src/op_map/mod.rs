@@ -1,8 +1,8 @@
 //! Any logical operation on two or three masks by look-ups in a table of bytes, for machines without an integer unit.
 //!
 //! Eisemann and Décoret, "Visibility Sampling on GPU and Applications", section 5, equation 4. `kernel.wgsl` states the
-//! output exactly. Every machine of today has the operations themselves; this kernel is the checked equivalent, and shows
-//! that the AND of half-planes and the OR of triangles are all that a mask needs.
+//! output exactly. Every machine of today has the operations themselves; this kernel is the checked equivalent, and
+//! shows that the AND of half-planes and the OR of triangles are all that a mask needs.
 
 use std::sync::Arc;
 
@@ -109,8 +109,8 @@ impl OpMap {
         table
     }
 
-    /// Combines the words of two or three masks, by the table for as many, all of one length; `combined` must not overlap
-    /// them.
+    /// Combines the words of two or three masks, by the table for as many, all of one length; `combined` must not
+    /// overlap them.
     pub fn record(
         &self,
         job: &mut Job,

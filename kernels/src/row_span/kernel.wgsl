@@ -16,8 +16,9 @@
 //   the other. Numbers of 18 binary places hold a and b; where x is too near to a whole number for their error, the
 //   sign of x - k decides, a sum of two products of integers.
 //
-// Of a one-sided triangle (`ONE_SIDED`) the edge whose crossing is the left one, seen from where the front hides, is known by
-// its turn: the span is from that crossing to the other, and empty where the back would hide. docs/numerics.md has the proof.
+// Of a one-sided triangle (`ONE_SIDED`) the edge whose crossing is the left one, seen from where the front hides, is
+// known by its turn: the span is from that crossing to the other, and empty where the back would hide. docs/numerics.md
+// has the proof.
 //
 // One workgroup serves WIDTH by HEIGHT receivers. Invocations first are triangles, 256 of the list at a time, and find
 // which rows of samples they meet for each row of receivers. Each such pair is an item; items wait on a stack until

@@ -1,20 +1,20 @@
-// One projection for each sample of a light: the masks of a regular light as Heckbert and Herf make soft shadows, and the
-// additive counts of silhouette volumes.
+// One projection for each sample of a light: the masks of a regular light as Heckbert and Herf make soft shadows, and
+// the additive counts of silhouette volumes.
 //
-// Heckbert and Herf, "Simulating Soft Shadows with Graphics Hardware" (CMU-CS-97-104, 1997), draw all occluders once from
-// each light sample onto the receiver; Eisemann and Décoret, "Visibility Sampling on GPU and Applications" (2007), section
-// 10, compare with that. Here a sample's picture is a plane of bits, and 32 planes are a word of the masks. `grid.rs` has
-// the definition that they meet bit for bit; triangles stand strictly between source and receivers.
+// Heckbert and Herf, "Simulating Soft Shadows with Graphics Hardware" (CMU-CS-97-104, 1997), draw all occluders once
+// from each light sample onto the receiver; Eisemann and Décoret, "Visibility Sampling on GPU and Applications" (2007),
+// section 10, compare with that. Here a sample's picture is a plane of bits, and 32 planes are a word of the masks.
+// `grid.rs` has the definition that they meet bit for bit; triangles stand strictly between source and receivers.
 //
 // With ADDITIVE true the kernel takes soft shadow volumes instead (section 8; Assarsson et al. 2003): silhouettes are
-// those from one point, and what each occluder hides is added up. The silhouettes of the triangles F that face that point
-// are the boundary of F, and what a silhouette hides is the sum over F, each triangle signed by whether it faces the sample
-// too: `hidden` then holds, for every receiver, the sum over F and all samples of 1 or -1, modulo 2^32.
+// those from one point, and what each occluder hides is added up. The silhouettes of the triangles F that face that
+// point are the boundary of F, and what a silhouette hides is the sum over F, each triangle signed by whether it faces
+// the sample too: `hidden` then holds, for every receiver, the sum over F and all samples of 1 or -1, modulo 2^32.
 //
-// A workgroup takes a triangle, a band of receiver rows and 64 samples, a lane each. A receiver R is in a sample's shadow
-// iff it is inside the three planes through the sample and an edge, turned so that the triangle is inside; the value
-// N . (R - S) of such a plane is that of the definition's plane through R and the edge, negated. Where it is 0 the
-// definition's rule of ties looks at the normal of the latter.
+// A workgroup takes a triangle, a band of receiver rows and 64 samples, a lane each. A receiver R is in a sample's
+// shadow iff it is inside the three planes through the sample and an edge, turned so that the triangle is inside; the
+// value N . (R - S) of such a plane is that of the definition's plane through R and the edge, negated. Where it is 0
+// the definition's rule of ties looks at the normal of the latter.
 
 import package::shared::crossing::edge_function;
 import package::shared::view::View;

@@ -1,8 +1,8 @@
 //! One projection for each sample of a light: what the masks are compared with.
 //!
-//! Heckbert and Herf draw all occluders once from each sample of a light; Eisemann and Décoret, "Visibility Sampling on GPU
-//! and Applications", section 10, compare with that, and in section 8 with soft shadow volumes, which add up what the
-//! silhouettes seen from the light's centre hide. Both are this kernel. Invariant: the masks are those of
+//! Heckbert and Herf draw all occluders once from each sample of a light; Eisemann and Décoret, "Visibility Sampling on
+//! GPU and Applications", section 10, compare with that, and in section 8 with soft shadow volumes, which add up what
+//! the silhouettes seen from the light's centre hide. Both are this kernel. Invariant: the masks are those of
 //! [`crate::grid::hidden`], bit for bit, for triangles strictly between source and receivers.
 
 use std::ops::Range;
@@ -113,9 +113,9 @@ impl SamplePlanes {
     }
 
     /// Adds to `counts`, a word a receiver, what silhouette volumes hide of the light: the sum, over the triangles that
-    /// face its [`centre`] and over all samples that they hide, of 1 where they face the sample too, else of -1. This is the
-    /// number of hidden samples for closed meshes, counter-clockwise outside, that show all samples the sides that they
-    /// show the centre and of which none hides what another hides.
+    /// face its [`centre`] and over all samples that they hide, of 1 where they face the sample too, else of -1. This
+    /// is the number of hidden samples for closed meshes, counter-clockwise outside, that show all samples the sides
+    /// that they show the centre and of which none hides what another hides.
     pub fn record_additive(&self, job: &mut Job, scene: Scene, counts: Buffer<[u32]>) -> Result<()> {
         scene.check(1, counts.len())?;
         scene.launch(job, &self.additive, counts);

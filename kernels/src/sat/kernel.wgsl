@@ -1,8 +1,8 @@
 // Summed-area tables of one to eight channels, modulo 2^32 or in 64 bits, and sums over rectangles from them.
 //
 // Crow, "Summed-Area Tables for Texture Mapping" (SIGGRAPH 1984); Hensley et al., "Fast Summed-Area Table Generation
-// and its Applications" (Computer Graphics Forum 24(3), 2005); used to count the pixels of objects drawn in pure colours by
-// Engelhardt and Dachsbacher, "Granular Visibility Queries on the GPU" (I3D 2009), section 3.1.
+// and its Applications" (Computer Graphics Forum 24(3), 2005); used to count the pixels of objects drawn in pure
+// colours by Engelhardt and Dachsbacher, "Granular Visibility Queries on the GPU" (I3D 2009), section 3.1.
 //
 // For an image of `4 * fours` columns (at most 4096) and `height` rows, stored by rows, one channel after another,
 //
@@ -12,9 +12,9 @@
 // the table wraps, and a rectangle is still answered exactly if its own sum is below 2^32. The wide entry points hold
 // sums of any values whole: `table` has the low words and `high_table`, of the same shape, the high ones.
 //
-// `bands` makes the table of each band of 16 rows by itself, 4 rows by 1024 columns at a time; `carries` sums what stands
-// above each band, and `add` adds it. Rectangles are half-open: `x0 <= x < x1`, `y0 <= y < y1`, cut to the image, and 0
-// when empty; each is answered for every channel, the sums one channel after another.
+// `bands` makes the table of each band of 16 rows by itself, 4 rows by 1024 columns at a time; `carries` sums what
+// stands above each band, and `add` adds it. Rectangles are half-open: `x0 <= x < x1`, `y0 <= y < y1`, cut to the
+// image, and 0 when empty; each is answered for every channel, the sums one channel after another.
 
 import package::shared::block_scan::{prefix4, row_scans};
 import package::shared::wide::{add64, sub64};

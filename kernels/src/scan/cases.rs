@@ -1,7 +1,7 @@
 //! From no word to 16 Mi + 3: one to three levels, and every edge of a four, a workgroup and a tile.
 //!
-//! Small cases take both sums in one job. Their inputs are followed by words that must be ignored, their outputs by words
-//! that must keep their mark.
+//! Small cases take both sums in one job. Their inputs are followed by words that must be ignored, their outputs by
+//! words that must keep their mark.
 
 use sightlines_backend::{Case, Expected, Job, Size};
 

@@ -1,8 +1,8 @@
 //! Prefix sums of u32, inclusive and exclusive, modulo 2³².
 //!
 //! Merrill and Grimshaw's reduce-then-scan over tiles of 4096 words, level upon level, without forward progress between
-//! workgroups. Uses: stream compaction, offsets of lists made from counts, ranges of a histogram. `kernel.wgsl` states the
-//! output exactly. Invariant: sums wrap, so any order of additions gives the same words.
+//! workgroups. Uses: stream compaction, offsets of lists made from counts, ranges of a histogram. `kernel.wgsl` states
+//! the output exactly. Invariant: sums wrap, so any order of additions gives the same words.
 
 use std::sync::Arc;
 

@@ -58,8 +58,8 @@ fn block_scan(lane: u32, values: vec4<u32>) -> vec4<u32> {
         block_values[lane + 768u]);
 }
 
-/// The same by rows: component c of lane l is column l of row c, and answered by the sum of those before it in its row, with
-/// `left`, one value a row, added. Every lane of the workgroup must call it. It may be called again at once.
+/// The same by rows: component c of lane l is column l of row c, and answered by the sum of those before it in its row,
+/// with `left`, one value a row, added. Every lane of the workgroup must call it. It may be called again at once.
 fn row_scans(lane: u32, values: vec4<u32>, left: vec4<u32>) -> vec4<u32> {
     let before = block_scan(lane, values);
     // A row is 64 lanes' sums of four. Its side of the ladder keeps them until the second barrier of the next call.

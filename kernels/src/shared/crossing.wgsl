@@ -1,8 +1,8 @@
 // Where a plane through a receiver cuts the rows of a light, exactly.
 //
 // A linear function of the source plane is given by its normal and a point on its zero plane; along one light row it is
-// E(k) = start + k * slope * step. Coordinates are those of the grid (`grid.rs`): differences below 2^15 in magnitude, so
-// every component of a normal is below 2^31, and E below 2^48.
+// E(k) = start + k * slope * step. Coordinates are those of the grid (`grid.rs`): differences below 2^15 in magnitude,
+// so every component of a normal is below 2^31, and E below 2^48.
 
 import package::shared::wide::{imul_wide, add64, neg64};
 

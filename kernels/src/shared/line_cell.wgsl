@@ -58,8 +58,8 @@ fn line_cell_fast(ln: Line, h: u32, k: u32) -> u32 {
     let negative = (ln.c.y >> 31u) != 0u;
     let inv = f32(one) / f32(max(n1, 1u));
     let o = (f32(ac.y) * 4294967296.0 + f32(ac.x)) * inv / f32(1u << h);
-    // The margin of 2^-17 exceeds the error, so that only what is outside is taken to be outside; both together are less
-    // than the slack.
+    // The margin of 2^-17 exceeds the error, so that only what is outside is taken to be outside; both together are
+    // less than the slack.
     if ((n1 == 0u) | (o > f32(one) * 1.00000762939453125)) {
         return select(CELL_ALL, CELL_NONE, negative);
     }

@@ -1,5 +1,5 @@
-//! From no vertex to a closed mesh of 35,346 vertices, and the inputs that are hard to get right: ties of all kinds, faces
-//! seen edge-on, corners on other triangles, faces without area, vertices to weld, faces over everything.
+//! From no vertex to a closed mesh of 35,346 vertices, and the inputs that are hard to get right: ties of all kinds,
+//! faces seen edge-on, corners on other triangles, faces without area, vertices to weld, faces over everything.
 
 use rayon::prelude::*;
 use sightlines_backend::{Case, Expected, Job, Outputs, Size};

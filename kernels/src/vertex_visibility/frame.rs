@@ -1,7 +1,7 @@
 //! Frames: the plane across a pair of opposite directions, cut into bins that the whole mesh fits.
 //!
-//! Invariant: bins are numbered by integers alone, monotone in X and in Y, so that a vertex under a triangle's box is in a
-//! bin of that box on every device.
+//! Invariant: bins are numbered by integers alone, monotone in X and in Y, so that a vertex under a triangle's box is
+//! in a bin of that box on every device.
 
 use sightlines_backend::{Error, Result, host};
 

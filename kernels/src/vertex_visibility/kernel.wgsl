@@ -1,20 +1,21 @@
-// Vertex visibility: which vertices of a mesh are occluded towards which directional lights, exactly and without a depth map.
+// Vertex visibility: which vertices of a mesh are occluded towards which directional lights, exactly and without a
+// depth map.
 //
-// "Ambient occlusion by occlusion queries", sections 3.1 and 3.2, outside-in: all vertices at once for a direction. Instead of
-// a depth map the vertices themselves are binned in the plane across the direction, and each triangle tests those under it
-// (an irregular z-buffer, with the roles of points and triangles as in Johnson et al., "The Irregular Z-Buffer", 2005); opposite
-// directions share the projection. `oracle.rs` has the definition that every bit meets. Output: bit 2p (2p + 1) % 32 of
-// `occluded[row + vertex]` is set if a triangle hides the vertex towards the first (second) direction of pair p; other bits
-// are left as they are.
+// Sattler et al. 2004, sections 3.1 and 3.2, outside-in: all vertices at once for a direction.
+// Instead of a depth map the vertices themselves are binned in the plane across the direction, and each triangle tests
+// those under it (an irregular z-buffer, with the roles of points and triangles as in Johnson et al., "The Irregular
+// Z-Buffer", 2005); opposite directions share the projection. `oracle.rs` has the definition that every bit meets.
+// Output: bit 2p (2p + 1) % 32 of `occluded[row + vertex]` is set if a triangle hides the vertex towards the first
+// (second) direction of pair p; other bits are left as they are.
 //
 // Coordinates are taken in the cyclic order u, v, w in which the direction's largest component is that of w, and of the
 // two opposite directions the one with d.w > 0 is "forward". Along it (u, v, w) falls on X = u d.w - w d.u,
 // Y = v d.w - w d.v, exactly; |X|, |Y| < 2^29, as |d.u| + |d.v| + d.w <= 2^14.
 //
-// One workgroup has a part of a triangle for each lane, sorted by the vertices under them, so that neighbouring lanes end
-// together. A lane tests up to BLOCK vertices by f32 weights, which leave out those that are surely beside the triangle, and
-// its own corners. What they leave, one vertex in ten, waits for all lanes to take their share, and is decided in integers
-// by `exact_side`: f32 sets no bit. The order of what waits cannot show, as bits are set by OR.
+// One workgroup has a part of a triangle for each lane, sorted by the vertices under them, so that neighbouring lanes
+// end together. A lane tests up to BLOCK vertices by f32 weights, which leave out those that are surely beside the
+// triangle, and its own corners. What they leave, one vertex in ten, waits for all lanes to take their share, and is
+// decided in integers by `exact_side`: f32 sets no bit. The order of what waits cannot show, as bits are set by OR.
 
 import package::shared::wide::{add64, dot64, imul_wide, neg64, sgn64, sub64, umul_hi, umul_wide};
 
@@ -91,7 +92,8 @@ struct Frame {
 @group(0) @binding(3) var<storage, read_write> counts: array<atomic<u32>>;
 /// From the second word on, first place of every bin; after `place`, the place behind its last. The first word stays 0.
 @group(0) @binding(4) var<storage, read_write> cursors: array<atomic<u32>>;
-/// Planes: bin by bin X of every vertex as f32, Y, and its number; then, vertex by vertex, its place in the other planes.
+/// Planes: bin by bin X of every vertex as f32, Y, and its number; then, vertex by vertex, its place in the other
+/// planes.
 @group(0) @binding(5) var<storage, read_write> placed: array<u32>;
 /// x of all parts' first corners, y of all first corners, …, z of all third corners.
 @group(0) @binding(6) var<storage, read> corners: array<i32>;
@@ -99,8 +101,8 @@ struct Frame {
 @group(0) @binding(7) var<storage, read> starts: array<u32>;
 @group(0) @binding(8) var<storage, read> points: array<u32>;
 @group(0) @binding(9) var<storage, read_write> occluded: array<atomic<u32>>;
-/// Numbers of all parts' first corners, then of all second and third ones: beyond all vertices where it is none of them;
-/// then the number of each part within its triangle.
+/// Numbers of all parts' first corners, then of all second and third ones: beyond all vertices where it is none of
+/// them; then the number of each part within its triangle.
 @group(0) @binding(10) var<storage, read> numbers: array<u32>;
 /// Workgroups that take what `occlude` leaves: those of the launch, as often as the part with most vertices needs.
 @group(0) @binding(11) var<storage, read_write> more: array<atomic<u32>>;
@@ -112,8 +114,8 @@ var<workgroup> ladder: array<u32, 2u * (CLASSES + BELOW)>;
 var<workgroup> order: array<u32, GROUP>;
 /// Pairs that f32 does not tell apart from hits: the lane that has the part, and from bit 23 down the vertex' place.
 var<workgroup> waiting: array<u32, WAITING>;
-/// Of the blocks that lanes have tested: how many pairs they have found, from bit 14 on how many vertices they had, and in
-/// bit 31 whether any lane has vertices left.
+/// Of the blocks that lanes have tested: how many pairs they have found, from bit 14 on how many vertices they had, and
+/// in bit 31 whether any lane has vertices left.
 var<workgroup> pushed: atomic<u32>;
 var<workgroup> state: u32;
 /// Parts in `order`.
@@ -229,8 +231,8 @@ fn is_thin(t: Corners) -> bool {
     return abs(d.x * e.y - d.y * e.x) <= size * 0.000244140625;
 }
 
-/// A triangle over its first corner. The weights of the two others are b . (x, y) and c . (x, y); what is added to each of
-/// the three is `slack`, so that one below 0 is of a point outside.
+/// A triangle over its first corner. The weights of the two others are b . (x, y) and c . (x, y); what is added to each
+/// of the three is `slack`, so that one below 0 is of a point outside.
 struct Face {
     origin: vec2<f32>,
     b: vec2<f32>,
@@ -240,8 +242,8 @@ struct Face {
     limit: f32,
 }
 
-/// float: filter - `slack` is eight times the error of a weight: the area's, relative to it, and that of products and sums
-/// of up to `spread`; and twice that of rounded coordinates
+/// float: filter - `slack` is eight times the error of a weight: the area's, relative to it, and that of products and
+/// sums of up to `spread`; and twice that of rounded coordinates
 fn face_of(frame: Frame, t: Corners) -> Face {
     let d = vec2<f32>(t.b.xy - t.a.xy);
     let e = vec2<f32>(t.c.xy - t.a.xy);
@@ -289,8 +291,8 @@ fn scaled(v: vec2<u32>, k: u32) -> vec2<u32> {
 
 /// 1 if the part's triangle hides the vertex towards the forward direction, -1 if towards its opposite, 0 if neither.
 ///
-/// Differences are below 2^15, so normals are below 2^31, `rise` below 2^48 and its product with d.w below 2^62; d . n is
-/// below 2^45, and its product with the bias below 2^60.
+/// Differences are below 2^15, so normals are below 2^31, `rise` below 2^48 and its product with d.w below 2^62; d . n
+/// is below 2^45, and its product with the bias below 2^60.
 fn exact_side(frame: Frame, part: u32, vertex: u32) -> i32 {
     let v = vertex_at(frame, vertex);
     let a = corner_at(frame, part, 0u) - v;
@@ -330,7 +332,8 @@ fn region_of(frame: Frame, part: u32, t: Corners) -> Region {
     return Region(vec2<u32>(min(min(x.x, x.y), x.z), max(max(x.x, x.y), x.z)), vec2<u32>(first, last), y);
 }
 
-/// Vertices of neighbouring rows of bins under a part: number j is at `offset[r] + j` for the first row r with j < `end[r]`.
+/// Vertices of neighbouring rows of bins under a part: number j is at `offset[r] + j` for the first row r with j <
+/// `end[r]`.
 struct Ranges {
     offset: vec4<u32>,
     end: vec4<u32>,
@@ -424,8 +427,8 @@ fn class_step(lane: u32, side: u32, reach: u32, sum: u32) -> u32 {
     return 0u;
 }
 
-/// Puts the workgroup's parts in order, so that neighbouring lanes have about as many vertices to test; the number of those
-/// that have any. A part that has none gives 0.
+/// Puts the workgroup's parts in order, so that neighbouring lanes have about as many vertices to test; the number of
+/// those that have any. A part that has none gives 0.
 /// allow(atomic-result): the order of parts within a class cannot show, as each is tested by itself
 fn sort_parts(lane: u32, part: u32, count: u32) -> u32 {
     let size = min(count, CLASSES - 1u);
@@ -549,8 +552,8 @@ fn behind(cursor: Cursor, block: Block, last_row: u32, end: u32) -> Cursor {
     return Cursor(select(row, last_row + 1u, next >= end), before, next);
 }
 
-/// Decides all pairs that blocks have found; whether any lane has more to test. Pairs that wait at a time are as many as all
-/// vertices of the blocks may make, so that the work does not depend on which of them are in which block.
+/// Decides all pairs that blocks have found; whether any lane has more to test. Pairs that wait at a time are as many
+/// as all vertices of the blocks may make, so that the work does not depend on which of them are in which block.
 /// allow(atomic-result): the order in which pairs wait cannot show, as each is decided by itself
 fn settle(frame: Frame, pair: u32, lane: u32, block: Block, has_more: bool) -> bool {
     let found = countOneBits(block.bits);

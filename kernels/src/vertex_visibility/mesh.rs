@@ -1,7 +1,7 @@
 //! Meshes on the grid: vertices welded by position, triangles by number.
 //!
-//! Invariant: a [`Mesh`] made by [`Mesh::weld`] has every position once, so that vertices that differ in their normals or
-//! colours alone share their visibility.
+//! Invariant: a [`Mesh`] made by [`Mesh::weld`] has every position once, so that vertices that differ in their normals
+//! or colours alone share their visibility.
 
 use std::collections::HashMap;
 

@@ -1,10 +1,10 @@
 //! Vertex visibility: every vertex of a mesh against directional lights, all bits kept.
 //!
-//! "Ambient occlusion by occlusion queries", sections 3.1 to 3.3, with an irregular z-buffer instead of a depth map: the
-//! result is exact, and `oracle.rs` defines it. `kernel.wgsl` states the output exactly. A batch of up to 16 pairs of
-//! directions makes one word of every vertex: count vertices a bin, scan, place them, and let each triangle test those
-//! under it: f32 leaves out what is beside the triangle, integers decide the rest. Invariant: bits are set by OR, so neither
-//! the order of vertices in their bins nor that of triangles can show.
+//! Sattler et al. 2004, sections 3.1 to 3.3, with an irregular z-buffer instead of a depth map:
+//! the result is exact, and `oracle.rs` defines it. `kernel.wgsl` states the output exactly. A batch of up to 16 pairs
+//! of directions makes one word of every vertex: count vertices a bin, scan, place them, and let each triangle test
+//! those under it: f32 leaves out what is beside the triangle, integers decide the rest. Invariant: bits are set by OR,
+//! so neither the order of vertices in their bins nor that of triangles can show.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -32,7 +32,8 @@ pub use shapes::{bumpy, octasphere};
 pub const KERNEL: Kernel = Kernel {
     name: "vertex_visibility",
     summary: "which vertices of a mesh are occluded towards which directions",
-    citation: "Ambient occlusion by occlusion queries, sections 3.1 to 3.3; Johnson et al., The Irregular Z-Buffer, 2005",
+    citation: "Sattler et al., Hardware-Accelerated Ambient Occlusion Computation, 2004, sections 3.1 to 3.3; \
+        Johnson et al., The Irregular Z-Buffer, 2005",
     programs: || Ok(vec![VertexVisibility::new()?.program]),
     cases: cases::all,
 };
@@ -189,9 +190,9 @@ impl VertexVisibility {
         Ok(VertexVisibility { program, scan: Scan::new()? })
     }
 
-    /// Sets the bits of a block of directions, which are opposite in pairs and numbered from `first` on: bit i % 32 of word
-    /// i / 32 * vertices + v if vertex v is occluded towards direction i, beyond `bias` cells. Other bits of `occluded`
-    /// stay; it holds the [`words`] of all directions up to the block's last.
+    /// Sets the bits of a block of directions, which are opposite in pairs and numbered from `first` on: bit i % 32 of
+    /// word i / 32 * vertices + v if vertex v is occluded towards direction i, beyond `bias` cells. Other bits of
+    /// `occluded` stay; it holds the [`words`] of all directions up to the block's last.
     pub fn record(
         &self,
         job: &mut Job,

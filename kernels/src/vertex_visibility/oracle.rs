@@ -3,11 +3,12 @@
 //! Vertices are integer points with x, y and z in [−2^14, 2^14), directions are integer vectors. **Vertex V is occluded
 //! towards direction d by triangle T iff T has no corner at V and the line V + t d meets T beyond the bias**:
 //!
-//! * it meets T if V, moved by (ε, ε², ε³) for an infinitesimal ε, is strictly on the same side of the three planes through
-//!   d and an edge of T. So a vertex on the plane of an edge belongs to one side of it only, and the triangles of a closed
-//!   mesh leave no gap and cover no vertex twice. A triangle that is seen edge-on, or has no area, is never met;
-//! * the meeting point is more than `bias` cells from V along the axis on which d is longest: t max|d_i| > bias, told for
-//!   V itself.
+//! * it meets T if V, moved by (ε, ε², ε³) for an infinitesimal ε, is strictly on the same side of the three planes
+//!   through d and an edge of T. So a vertex on the plane of an edge belongs to one side of it only, and the triangles
+//!   of a closed mesh leave no gap and cover no vertex twice. A triangle that is seen edge-on, or has no area, is never
+//!   met;
+//! * the meeting point is more than `bias` cells from V along the axis on which d is longest: t max|d_i| > bias, told
+//!   for V itself.
 //!
 //! Everything here is the determinants of those statements in i128, for every triangle in turn.
 

@@ -1,7 +1,7 @@
 //! A mesh on the device: vertices axis by axis, and triangles cut into parts of few rows of bins.
 //!
-//! Invariant: whatever the direction, the parts of a triangle cover every row of bins that its box meets, each row once, and
-//! none has more than [`Resident::rows`] rows.
+//! Invariant: whatever the direction, the parts of a triangle cover every row of bins that its box meets, each row
+//! once, and none has more than [`Resident::rows`] rows.
 
 use sightlines_backend::host::Buffer;
 use sightlines_backend::{Error, Job, Result};
@@ -40,8 +40,8 @@ impl Resident {
         Self::upload_some(job, mesh, &all)
     }
 
-    /// Uploads a mesh of which only the vertices `chosen`, each at most once, are asked about, in that order: vertex v of
-    /// the bits is vertex `chosen[v]` of the mesh. All triangles occlude.
+    /// Uploads a mesh of which only the vertices `chosen`, each at most once, are asked about, in that order: vertex v
+    /// of the bits is vertex `chosen[v]` of the mesh. All triangles occlude.
     pub fn upload_some(job: &mut Job, mesh: &Mesh, chosen: &[u32]) -> Result<Self> {
         mesh.check()?;
         let places = places(mesh, chosen)?;
@@ -76,7 +76,8 @@ impl Resident {
     }
 }
 
-/// For each vertex its place among the chosen ones; `u32::MAX`, a number that no vertex has, where it is not among them.
+/// For each vertex its place among the chosen ones; `u32::MAX`, a number that no vertex has, where it is not among
+/// them.
 fn places(mesh: &Mesh, chosen: &[u32]) -> Result<Vec<u32>> {
     let mut places = vec![u32::MAX; mesh.vertices.len()];
     for (place, &vertex) in (0..).zip(chosen) {
@@ -115,9 +116,9 @@ fn parts(mesh: &Mesh, all_rows: u32) -> (u32, Vec<(u32, u32)>) {
     (rows, parts.collect())
 }
 
-/// Rows of bins that a triangle's box meets at most, towards any direction. Along Y = v w' - w v' for a direction (u', v', w') the
-/// box has w' dv + |v'| dw, and the mesh the same of its own box; so the share of the rows is at most the larger of the shares
-/// of dv and dw.
+/// Rows of bins that a triangle's box meets at most, towards any direction. Along Y = v w' - w v' for a direction (u',
+/// v', w') the box has w' dv + |v'| dw, and the mesh the same of its own box; so the share of the rows is at most the
+/// larger of the shares of dv and dw.
 fn most_rows(mesh: &Mesh, [low, high]: [Point; 2], triangle: &[u32; 3], all_rows: u32) -> u32 {
     let share = |axis: usize| {
         let c = triangle.map(|corner| mesh.vertices[corner as usize][axis]);

@@ -6,8 +6,8 @@ use super::mesh::Mesh;
 use super::oracle::Point;
 use crate::grid::XY;
 
-/// A closed mesh of `4 n² + 2` vertices and `8 n²` triangles: the lattice |x| + |y| + |z| = n, each point at `radius` of its
-/// unit vector from the centre, rounded to the grid. Radii are below 2^14.
+/// A closed mesh of `4 n² + 2` vertices and `8 n²` triangles: the lattice |x| + |y| + |z| = n, each point at `radius`
+/// of its unit vector from the centre, rounded to the grid. Radii are below 2^14.
 ///
 /// # Panics
 ///

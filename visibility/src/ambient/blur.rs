@@ -1,10 +1,11 @@
 //! The Gaussian of the sphere: what an environment brings around a direction, filtered by angle and not by texel.
 //!
-//! A latitude–longitude map has texels of one size in the map and of ever smaller size towards its poles; a filter of so
-//! many texels ("Ambient occlusion by occlusion queries", section 5) spreads light there over too small an angle along
-//! rows and counts it too often along columns. Here a texel counts by its solid angle times exp(-c² / 2σ²), where c is
-//! the chord between it and the direction on the unit sphere, and the sum is divided by that of the weights. Invariants:
-//! weights and sums are integers, so a constant stays what it is to the bit; weights are made in f64 and `libm`.
+//! A latitude–longitude map has texels of one size in the map and of ever smaller size towards its poles; a filter of
+//! so many texels (Sattler et al. 2004, section 5) spreads light there over too small an angle
+//! along rows and counts it too often along columns. Here a texel counts by its solid angle times exp(-c² / 2σ²), where
+//! c is the chord between it and the direction on the unit sphere, and the sum is divided by that of the weights.
+//! Invariants: weights and sums are integers, so a constant stays what it is to the bit; weights are made in f64 and
+//! `libm`.
 
 use super::environment::Environment;
 use crate::vector::Vector;
@@ -80,8 +81,8 @@ impl<'a> Sky<'a> {
     }
 }
 
-/// Columns of a map that a filter of that standard deviation, in radians, cannot tell from a finer one: its texels are a
-/// quarter of it.
+/// Columns of a map that a filter of that standard deviation, in radians, cannot tell from a finer one: its texels are
+/// a quarter of it.
 pub(super) fn columns(sigma: f64) -> u32 {
     let columns = libm::ceil(4.0 * std::f64::consts::TAU / sigma).clamp(1.0, 4096.0) as u32;
     columns.next_power_of_two()

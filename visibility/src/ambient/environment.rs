@@ -1,11 +1,11 @@
 //! Light from far away: a latitude–longitude map of an environment, and what of it each direction brings.
 //!
-//! "Ambient occlusion by occlusion queries", section 5: the map is filtered with a Gaussian and looked up at the
+//! Sattler et al. 2004, section 5: the map is filtered with a Gaussian and looked up at the
 //! light's directions; turning the environment turns the look-ups, and no visibility changes. The Gaussian is the
-//! sphere's ([`Filter::Sphere`]) or, as in the paper, the map's. Maps follow the usual convention: seen from inside, the
-//! middle column looks along −z with +x to its right and +y up, where y is up. Maps are brought to at most 512 columns
-//! by averaging solid angles first. Invariant: what reaches the device is integers, made in IEEE f64 and `libm` from
-//! finite texels that are not negative.
+//! sphere's ([`Filter::Sphere`]) or, as in the paper, the map's. Maps follow the usual convention: seen from inside,
+//! the middle column looks along −z with +x to its right and +y up, where y is up. Maps are brought to at most 512
+//! columns by averaging solid angles first. Invariant: what reaches the device is integers, made in IEEE f64 and `libm`
+//! from finite texels that are not negative.
 
 use glam::{IVec4, UVec4};
 use sightlines_backend::host::Buffer;
@@ -264,8 +264,8 @@ impl Lighting {
         weighting: Weighting::SolidAngle,
     };
 
-    /// The rotation from directions of the matrix to those of the kernel's map, whose zenith is z and whose first column
-    /// is x.
+    /// The rotation from directions of the matrix to those of the kernel's map, whose zenith is z and whose first
+    /// column is x.
     fn rows(&self) -> Result<[Vector; 3]> {
         if !self.turn.is_finite() || self.turn.abs() > 1e6 {
             let what = format!("{:?} degrees", self.turn);

@@ -1,6 +1,6 @@
 //! Lazy evaluation: only what a camera has come to see.
 //!
-//! "Ambient occlusion by occlusion queries", section 4.1: of the triangles that nobody has seen yet, those that come
+//! Sattler et al. 2004, section 4.1: of the triangles that nobody has seen yet, those that come
 //! into view are to be done, and the positions of their corners are evaluated before they are shown; when few are left,
 //! all are done at once and the search ends. Triangles are listed and not vertices, because a triangle shows where a
 //! corner does not. Invariant: a vertex of a triangle that was seen has the colour that the full matrix gives it.

@@ -1,6 +1,6 @@
 //! The visibility matrix on a device: refined block by block, multiplied with intensities as often as they change.
 //!
-//! "Ambient occlusion by occlusion queries", sections 3.2 to 3.4. The matrix stays in device memory from the first
+//! Sattler et al. 2004, sections 3.2 to 3.4. The matrix stays in device memory from the first
 //! block to the last colour; it is read only where a file wants it. A row of bits is 32 directions of all positions, so
 //! whatever is complete stays valid while more directions follow. Positions whose rows would outgrow a binding are
 //! divided among several [`Part`]s. Invariant: the bits of the first [`Matrix::done`] directions are those of

@@ -1,6 +1,6 @@
 //! Ambient occlusion and light from an environment, at the vertices of a scene.
 //!
-//! "Ambient occlusion by occlusion queries": directional lights all around, one visibility matrix, any number of
+//! Sattler et al. 2004: directional lights all around, one visibility matrix, any number of
 //! environments. A [`Surface`] is a scene on the grid, a [`Matrix`] its visibility on a device, refined block by block;
 //! an [`Environment`] becomes [`Intensities`], and the product of both the colours of the vertices. Everything that
 //! reaches a result is decided in integers, so it is the same on every machine.

@@ -1,7 +1,7 @@
 //! Scenes in motion, frame after frame: a new matrix where something bends or moves against something else, the old one
 //! where all of it moves as a whole.
 //!
-//! "Ambient occlusion by occlusion queries", sections 4.2 and 6. A budget is a number of visits of a position or a
+//! Sattler et al. 2004, sections 4.2 and 6. A budget is a number of visits of a position or a
 //! triangle by a direction, which every machine counts alike. A new matrix spends no more of it than one frame has, or
 //! the coarsest level; frames that keep their matrix refine it with theirs and with what was left before. Invariant: a
 //! frame's bits are those of the matrix of the scene in the frame that it was made for, of the finest level that is

@@ -65,8 +65,8 @@ impl Sphere {
         }
     }
 
-    /// The finest of its refinements whose cost is within `budget`, or the coarsest, where each direction makes `visits`
-    /// ([`Surface::visits`](super::Surface::visits)). The same numbers give the same level on every machine.
+    /// The finest of its refinements whose cost is within `budget`, or the coarsest, where each direction makes
+    /// `visits` ([`Surface::visits`](super::Surface::visits)). The same numbers give the same level on every machine.
     pub fn within(self, budget: u64, visits: u64) -> Sphere {
         let refinements = self.refinements();
         let fits = |sphere: &&Sphere| u64::from(sphere.count()).saturating_mul(visits) <= budget;

@@ -1,6 +1,6 @@
 //! Scenes that moved as a whole: turned, shifted and scaled, with nothing moved against anything else.
 //!
-//! "Ambient occlusion by occlusion queries", section 6: the visibility matrix of such a scene stays as it is, and its
+//! Sattler et al. 2004, section 6: the visibility matrix of such a scene stays as it is, and its
 //! environment is looked up in turned directions. Whether a scene moved so is told by its corners, not by what moved
 //! them, so nodes, skins and generated motions are all alike. Invariants: the turn that is found takes every corner to
 //! within the given slack of where it is now, and every normal to its direction; a scene that has not turned has

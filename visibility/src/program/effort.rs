@@ -6,8 +6,8 @@ use sightlines_visibility::shadows::{Effort, MEMORY};
 /// How to bake.
 #[derive(Args, Debug)]
 pub(crate) struct EffortArgs {
-    /// Leave out faces of closed surfaces that face all of the light: the back faces hide the same. Surfaces that are not
-    /// closed stay whole.
+    /// Leave out faces of closed surfaces that face all of the light: the back faces hide the same. Surfaces that are
+    /// not closed stay whole.
     #[arg(long, value_enum, value_name = "auto|off", default_value = "auto")]
     cull: Cull,
     /// MiB for lists of triangles at a time; more are taken in turns.

@@ -9,8 +9,8 @@ use super::Failure;
 use super::cli::{BackendName, MachineArgs};
 
 /// Opens the machine that the command line asks for. What it names is what runs, or an error; `auto` without an
-/// adapter's name takes a GPU if there is one, and never a software adapter, which the interpreter outruns. With `count`
-/// the interpreter counts semantic costs, which takes it longer.
+/// adapter's name takes a GPU if there is one, and never a software adapter, which the interpreter outruns. With
+/// `count` the interpreter counts semantic costs, which takes it longer.
 pub(crate) fn open(args: &MachineArgs, count: bool) -> Result<Box<dyn Backend>, Failure> {
     match (args.backend, &args.adapter) {
         (BackendName::Cpu, Some(_)) => {

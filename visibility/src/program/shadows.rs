@@ -1,4 +1,5 @@
-//! `sightlines shadows`: a scene in, pictures of what receivers see of its lights and their sets out, and a short report.
+//! `sightlines shadows`: a scene in, pictures of what receivers see of its lights and their sets out, and a short
+//! report.
 
 pub(crate) mod args;
 mod filtered;

@@ -1,5 +1,5 @@
-//! glTF 2.0 through the `gltf` crate: nodes with their transforms, every mesh once, every use of one as an instance, and
-//! cameras.
+//! glTF 2.0 through the `gltf` crate: nodes with their transforms, every mesh once, every use of one as an instance,
+//! and cameras.
 //!
 //! The hierarchy must be a forest, as the format says: a node that is reached twice is refused, which ends cycles and
 //! keeps shared subtrees from growing without bound. Skins and morph targets are left in their bind pose.

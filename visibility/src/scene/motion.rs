@@ -34,7 +34,8 @@ impl Motion {
     ///
     /// # Errors
     ///
-    /// A file that [`load`](super::load()) refuses, that is no glTF, or that has no animation of nodes, or a broken one.
+    /// A file that [`load`](super::load()) refuses, that is no glTF, or that has no animation of nodes, or a broken
+    /// one.
     pub fn load(path: &Path) -> Result<Self> {
         let bytes = load::read(path)?;
         load::check_moving(path, &bytes)?;

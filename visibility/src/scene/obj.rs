@@ -1,4 +1,5 @@
-//! Wavefront OBJ, through `tobj`. Positions, faces, normals and texture coordinates matter; materials are not looked for.
+//! Wavefront OBJ, through `tobj`. Positions, faces, normals and texture coordinates matter; materials are not looked
+//! for.
 //!
 //! Normals are taken where every corner of every face has one that is there; a vertex with several becomes as many.
 //!

@@ -1,6 +1,6 @@
 //! Beside other ways: diffuse shading without occlusion, and rays cast at random in f64.
 //!
-//! "Ambient occlusion by occlusion queries", figure 9, compares with a ray tracer of 500 samples; so do these.
+//! Sattler et al. 2004, figure 9, compares with a ray tracer of 500 samples; so do these.
 
 use sightlines_kernels::random;
 use sightlines_visibility::ambient::{Colours, Environment, Lighting, Matrix, Sphere, Surface};

@@ -1,7 +1,8 @@
-//! Every loader of the crate by one door: a file of a kind, read and taken as far as a command takes it before the work.
+//! Every loader of the crate by one door: a file of a kind, read and taken as far as a command takes it before the
+//! work.
 //!
-//! A fuzz target shares this file. Invariant that it holds loaders to: whatever the bytes, there is no panic, and an error
-//! is the caller's, with a file and a remedy.
+//! A fuzz target shares this file. Invariant that it holds loaders to: whatever the bytes, there is no panic, and an
+//! error is the caller's, with a file and a remedy.
 
 use std::path::Path;
 

@@ -1,7 +1,7 @@
 //! Damaged files: small valid ones of every kind, cut, changed and shuffled in thousands of seeded ways.
 //!
-//! What a reader should find here is that no damage makes a loader panic or leaves its user without a file and a remedy;
-//! which damage gives which message is the matter of the tests beside each loader.
+//! What a reader should find here is that no damage makes a loader panic or leaves its user without a file and a
+//! remedy; which damage gives which message is the matter of the tests beside each loader.
 
 mod every;
 mod seeds;

@@ -217,8 +217,8 @@ impl Emitter<'_> {
         self.slots = slots;
     }
 
-    /// How many statements come up to the test that begins a loop's rounds, where that can stand at their end: computing
-    /// and nothing else, then `if … { break }`. 0 where that is not so.
+    /// How many statements come up to the test that begins a loop's rounds, where that can stand at their end:
+    /// computing and nothing else, then `if … { break }`. 0 where that is not so.
     fn header(&self, id: Construct, body: &Block) -> usize {
         let is_plain = |stmt: &Stmt| matches!(stmt, Stmt::Def(_) | Stmt::Tally(_));
         let plain = body.iter().take_while(|stmt| is_plain(stmt)).count();
@@ -236,8 +236,8 @@ impl Emitter<'_> {
         }
     }
 
-    /// Emits a loop's header, which stands from `first` up to `head`, once more; the test for another round, and whether
-    /// lanes part at it.
+    /// Emits a loop's header, which stands from `first` up to `head`, once more; the test for another round, and
+    /// whether lanes part at it.
     fn again(&mut self, first: usize, head: usize) -> Option<(Test<Virtual>, bool)> {
         let (last, plain) = self.out.insts[first..head].split_last()?;
         let test = match *last {

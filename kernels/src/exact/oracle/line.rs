@@ -65,8 +65,8 @@ pub const ALL: u32 = u32::MAX;
 /// Cell of a half-plane that covers none of it.
 pub const NONE: u32 = u32::MAX - 1;
 
-/// The line's cell in a table of 2^k directions in two quadrants and 2^(k + 1) offsets over [-2^h, 2^h]^2, after |b|, |c|
-/// and |a| + |b| have been cut to 30 bits.
+/// The line's cell in a table of 2^k directions in two quadrants and 2^(k + 1) offsets over [-2^h, 2^h]^2, after |b|,
+/// |c| and |a| + |b| have been cut to 30 bits.
 pub fn line_cell(line: Line, h: u32, k: u32) -> u32 {
     let norm = line.norm();
     if i128::from(line.c).abs() >= norm << h {

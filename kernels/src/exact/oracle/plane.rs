@@ -14,8 +14,8 @@ pub fn orient2d(a: Point, b: Point, c: Point) -> i32 {
     cross(a, b, c).signum() as i32
 }
 
-/// The cross product, less 1 where points of the edge are not its own: an edge owns them that runs down, or level and to
-/// the right.
+/// The cross product, less 1 where points of the edge are not its own: an edge owns them that runs down, or level and
+/// to the right.
 pub fn edge15(a: Point, b: Point, p: Point) -> i32 {
     let owns = b[1] < a[1] || b[1] == a[1] && b[0] > a[0];
     (cross(a, b, p) - i128::from(!owns)) as i32

@@ -1,4 +1,5 @@
-//! Frames of a motion, each with a picture: what moves as a whole keeps its matrix, and what is only shifted its colours.
+//! Frames of a motion, each with a picture: what moves as a whole keeps its matrix, and what is only shifted its
+//! colours.
 
 use std::io::Write;
 use std::path::PathBuf;

@@ -207,8 +207,8 @@ pub(super) fn detail(args: &CullArgs, backend: &dyn Backend, mut world: World) -
     Ok(Found { lines, panels })
 }
 
-/// What is drawn, from the camera; and the whole scene from above, in which what is not drawn is blue. `places` are those
-/// of the drawn instances in the whole scene.
+/// What is drawn, from the camera; and the whole scene from above, in which what is not drawn is blue. `places` are
+/// those of the drawn instances in the whole scene.
 fn levels_panels(
     args: &CullArgs,
     backend: &dyn Backend,

@@ -8,8 +8,8 @@ const BUMPS: [(f64, [f64; 3]); 2] = [(0.08, [7.0, 9.0, 8.0]), (0.02, [31.0, 29.0
 /// Most triangles of a bumpy sphere that is asked for by name.
 pub const MAX_BUMPY: usize = 2_000_000;
 
-/// A bumpy sphere of about so many triangles (at least 24), its centre two metres above the ground. Every edge belongs to
-/// two triangles that run through it in opposite directions.
+/// A bumpy sphere of about so many triangles (at least 24), its centre two metres above the ground. Every edge belongs
+/// to two triangles that run through it in opposite directions.
 pub fn bumpy_sphere(triangles: usize) -> Scene {
     // Twice as many segments as rings give 4 r (r - 1) triangles.
     let rings = (2.0_f64.max((0.5 + (0.25 + triangles as f64 / 4.0).sqrt()).round())) as u32;

@@ -85,8 +85,8 @@ pub fn creature_field([x, y, z]: [f64; 3]) -> f64 {
 const RINGS: u32 = 99;
 const SIDES: u32 = 36;
 
-/// A creature of 7,128 triangles on the floor of a hall of 134,400, instance 0. Cameras `full`, `partial` and `occluded`
-/// see it wholly, between pillars, and from behind a wall.
+/// A creature of 7,128 triangles on the floor of a hall of 134,400, instance 0. Cameras `full`, `partial` and
+/// `occluded` see it wholly, between pillars, and from behind a wall.
 pub fn creature_in_hall() -> World {
     let mut meshes = vec![creature(), wall(), pillar()];
     meshes[1].name = "wall".to_owned();

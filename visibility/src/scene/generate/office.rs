@@ -6,7 +6,8 @@ use crate::scene::Mesh;
 const ROWS: u32 = 3;
 const DESKS: u32 = 4;
 
-/// Least and greatest corners of what a desk and its chair are made of, relative to the middle of the desk on the floor.
+/// Least and greatest corners of what a desk and its chair are made of, relative to the middle of the desk on the
+/// floor.
 const PIECES: [(&str, [f64; 3], [f64; 3]); 12] = [
     ("top", [-0.7, 0.70, -0.35], [0.7, 0.74, 0.35]),
     ("leg", [-0.68, 0.0, -0.33], [-0.63, 0.70, -0.28]),

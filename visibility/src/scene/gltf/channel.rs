@@ -1,8 +1,9 @@
 //! Channels of a glTF animation: the value of a node's property at a time, by the format's three interpolations.
 //!
 //! glTF 2.0, appendix C: STEP holds the key before, LINEAR mixes the keys around the time (rotations along the shorter
-//! arc of the sphere), CUBICSPLINE is Hermite's cubic through the keys, with tangents a second. Before the first key and
-//! after the last the value is theirs. Invariant: a rotation has length 1, whatever the keys and tangents of the file.
+//! arc of the sphere), CUBICSPLINE is Hermite's cubic through the keys, with tangents a second. Before the first key
+//! and after the last the value is theirs. Invariant: a rotation has length 1, whatever the keys and tangents of the
+//! file.
 
 use std::path::Path;
 
