@@ -89,7 +89,7 @@ pub(super) fn check(first: u32, directions: &[Direction]) -> Result<()> {
         let length: i64 = d.iter().map(|&c| i64::from(c).abs()).sum();
         (1..=i64::from(MAX_LENGTH)).contains(&length)
     };
-    if first % 2 != 0 {
+    if !first.is_multiple_of(2) {
         return Err(Error::refused(format!("directions from number {first} on"), "begin with the first of a pair"));
     }
     for (number, pair) in directions.chunks(2).enumerate() {
