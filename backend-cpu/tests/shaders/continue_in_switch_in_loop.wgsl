@@ -1,5 +1,4 @@
-// Every turn adds 101, and 1 but for turn 4. A continue inside a switch runs the continuing block; a break inside a
-// switch does not leave the loop.
+// Every turn adds 101, and 1 but for turn 4. A continue inside a switch runs the continuing block; a break inside a switch does not leave the loop.
 //! buffer 0: zero 8
 //! dispatch: main 1 1 1
 //! expect 0: u32 0 102 204 1306 1408 11509 11611 11713
