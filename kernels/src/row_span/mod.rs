@@ -123,8 +123,7 @@ impl RowSpan {
 
     /// Adds the samples that the tiles' triangles hide to `hidden`, in recordings of bounded cost.
     pub fn record(&self, job: &mut Job, receivers: &Receivers, tiles: &Tiles, scene: Scene) -> Result<()> {
-        let room = self.room(job);
-        self.launch(job, receivers, tiles, scene, room)
+        self.launches(job, receivers, tiles, scene, |job, params| job.value("row span params", params))
     }
 
     /// All that [`launch`](Self::launch) adds to a job's tables.
@@ -142,7 +141,23 @@ impl RowSpan {
         receivers: &Receivers,
         tiles: &Tiles,
         scene: Scene,
-        params: Buffer<Params>,
+        room: Buffer<Params>,
+    ) -> Result<()> {
+        self.launches(job, receivers, tiles, scene, |job, params| {
+            let bytes = bytemuck::bytes_of(params).to_vec();
+            job.record(Command::Upload { buffer: room.id(), offset: 0, bytes });
+            room
+        })
+    }
+
+    /// Launches with parameters where `hold` puts them.
+    fn launches(
+        &self,
+        job: &mut Job,
+        receivers: &Receivers,
+        tiles: &Tiles,
+        scene: Scene,
+        hold: impl Fn(&mut Job, &Params) -> Buffer<Params>,
     ) -> Result<()> {
         receivers.check()?;
         let words = u64::from(receivers.count()) * u64::from(self.samples.words());
@@ -158,8 +173,7 @@ impl RowSpan {
         let program = job.program(&self.program);
         for Launch { rows, skip } in tiles.launches(receivers.rows, HEIGHT, PAIRS, LIST) {
             pieces::cut(job);
-            let bytes = bytemuck::bytes_of(&self.params(receivers, tiles, rows.start, skip)).to_vec();
-            job.record(Command::Upload { buffer: params.id(), offset: 0, bytes });
+            let params = hold(job, &self.params(receivers, tiles, rows.start, skip));
             let Scene { vertices, starts, entries, hidden } = scene;
             let bound = Spans { params, vertices, starts, entries, hidden };
             job.launch(program, "row_span", &bound, [tiles.count[0], (rows.len() as u32).div_ceil(HEIGHT), 1]);
